@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 def spindle_faults(spindle: Spindle) -> Faults:
-    """All that contradicts itself in a spindle although each of its parts is fine."""
+    """Yield contradictions between the parts of a spindle, each of which is valid by itself."""
     yield from turning_faults(spindle.shaft, spindle.masses, spindle.discs, spindle.joints)
     yield from _named_once(spindle)
     yield from _stations(spindle)
@@ -29,20 +29,20 @@ def spindle_faults(spindle: Spindle) -> Faults:
     yield from _rings(spindle)
     yield from _sleeves(spindle)
     yield from _set(spindle)
-    yield from _held_twice(spindle)
+    yield from _fixed_twice(spindle)
     yield from _names_taken(spindle)
     yield from _rotors(spindle)
     yield from _carried(spindle)
 
 
 def unknown(what: str, name: str, allowed: Iterable[str], instead: str = "") -> Iterator[str]:
-    """A sentence where a name is none of those allowed; an empty one is not known, and may be any
-    other."""
-    known = list(allowed)
-    if name and not {name, ""} & {*known}:
-        choices = ", ".join(known) or "none, there are none here"
+    """Yield a sentence where a name is none of those allowed. Empty names, of faulty parts, match
+    any other."""
+    names = list(allowed)
+    if name and not {name, ""} & {*names}:
+        choices = ", ".join(names) or "none, there are none here"
         choices += f", {instead}" if instead else ""
-        yield f"unknown {what}: given '{name}'; allowed: {choices}{suggestion(name, known)}"
+        yield f"unknown {what}: given '{name}'; allowed: {choices}{suggestion(name, names)}"
 
 
 def _named_once(spindle: Spindle) -> Faults:
@@ -80,13 +80,13 @@ def _stations(spindle: Spindle) -> Faults:
 
 
 def _rings(spindle: Spindle) -> Faults:
-    """Rings that deform fit their balls and their seats."""
+    """Yield a fault where flexible rings do not fit their balls or their seats."""
     low, high = spindle.shaft.reach
     for index, seat in enumerate(spindle.seats):
-        known, bearing = seat.flexible_rings, seat.known_bearing
-        if known is None or bearing is None or not low <= seat.x <= high:
+        bodies, bearing = seat.flexible_rings, seat.known_bearing
+        if bodies is None or bearing is None or not low <= seat.x <= high:
             continue
-        if not known.sound or any(known._faults()) or any(seat._faults()):
+        if not bodies.sound or any(bodies._faults()) or any(seat._faults()):
             continue
         try:
             spindle.mounted(seat)
@@ -95,50 +95,50 @@ def _rings(spindle: Spindle) -> Faults:
 
 
 def _shifts(spindle: Spindle) -> Faults:
-    """Where the shaft does not shift is on it, and what shifts is there."""
-    shortening, way = spindle.shortening, ("shortening",)
+    """Yield faults of shortening: its reference is off the shaft, or a bearing is unknown."""
+    shortening, path = spindle.shortening, ("shortening",)
     if isinstance(shortening, ComputedShortening):
         yield from on_the_shaft(
-            "reference", shortening.reference, spindle.shaft.reach, (*way, "reference")
+            "reference", shortening.reference, spindle.shaft.reach, (*path, "reference")
         )
     elif shortening is not None:
         names = [seat.name for seat in spindle.seats]
         for name in shortening.shift:
             for sentence in unknown("bearing", name, names):
-                yield (*way, "shift", name), sentence
+                yield (*path, "shift", name), sentence
 
 
 def _bores(spindle: Spindle) -> Faults:
-    """A fit has a shaft inside its bore."""
+    """Yield a fault where the bore of a fitted bearing leaves no shaft in it."""
     for index, seat in enumerate(spindle.seats):
         fit, fits = seat.growth.fitted, seat.fits
         bore = fit.bore_diameter if fit is not None else fits and fits.bore_diameter
         if not bore or not spindle.shaft.sections or math.isnan(seat.x):
             continue
-        hole = spindle.shaft.diameters_at(seat.x)[1]
-        if bore <= hole:
+        shaft_bore = spindle.shaft.diameters_at(seat.x)[1]
+        if bore <= shaft_bore:
             yield (
                 ("bearings", index, *(("fits",) if fit is None else ("growth", "fit"))),
                 f"the bore of bearing {seat.name} leaves no shaft: given "
                 f"{format_quantity(bore, 'mm')}; allowed: above "
-                f"{format_quantity(hole, 'mm')}",
+                f"{format_quantity(shaft_bore, 'mm')}",
             )
 
 
 def _sleeves(spindle: Spindle) -> Faults:
-    """Bearings of a sleeve exist, sit on no other, and are all pushed the same way."""
+    """Yield faults of sleeves: bearings unknown, on two sleeves, or of different thrust."""
     thrust = {seat.name: seat.thrust for seat in spindle.seats}
-    taken: dict[str, str] = {}
+    sleeve_of: dict[str, str] = {}
     for index, sleeve in enumerate(spindle.sleeves):
-        for place, name in enumerate(sleeve.bearings):
-            way = ("sleeves", index, "bearings", place)
+        for position, name in enumerate(sleeve.bearings):
+            path = ("sleeves", index, "bearings", position)
             for sentence in unknown("bearing", name, thrust):
-                yield way, sentence
-            if taken.setdefault(name, sleeve.name) != sleeve.name:
+                yield path, sentence
+            if sleeve_of.setdefault(name, sleeve.name) != sleeve.name:
                 also = ""
                 if spindle.arrangement is not None and sleeve.name == spindle.arrangement.name:
                     also = ", and the arrangement bears it by its preload: leave one of both out"
-                yield way, f"bearing '{name}' is already on sleeve '{taken[name]}'{also}"
+                yield path, f"bearing '{name}' is already on sleeve '{sleeve_of[name]}'{also}"
         if {1, -1} <= {thrust.get(name, 0) for name in sleeve.bearings}:
             yield (
                 ("sleeves", index, "bearings"),
@@ -147,45 +147,45 @@ def _sleeves(spindle: Spindle) -> Faults:
 
 
 def _set(spindle: Spindle) -> Faults:
-    """The bearings of a set exist and take thrust as its name says."""
-    own = spindle.arrangement
-    if own is None:
+    """Yield faults of a set: bearings are unknown, or their thrust is not that of its name."""
+    bearing_set = spindle.arrangement
+    if bearing_set is None:
         return
     names = [seat.name for seat in spindle.seats]
-    for index, name in enumerate(own.bearings):
+    for index, name in enumerate(bearing_set.bearings):
         for sentence in unknown("bearing", name, names):
             yield ("arrangement", "bearings", index), sentence
-    yield from within(("arrangement",), own.faults_with(spindle.seats))
+    yield from within(("arrangement",), bearing_set.faults_with(spindle.seats))
 
 
-def _held_twice(spindle: Spindle) -> Faults:
-    """Two supports that hold one DOF of a station, or one that holds x beside bearings."""
-    taken: dict[tuple[str, frozenset[str]], list[LinearSupport]] = {}
+def _fixed_twice(spindle: Spindle) -> Faults:
+    """Yield a fault where two supports fix one DOF, or one fixes x beside bearings."""
+    fixing: dict[tuple[str, frozenset[str]], list[LinearSupport]] = {}
     for support in spindle.supports:
         for dof in support.rigid:
-            alike = taken.setdefault((dof, frozenset(support.ends)), [])
-            for other in alike:
+            same_dof = fixing.setdefault((dof, frozenset(support.ends)), [])
+            for other in same_dof:
                 if abs(support.x - other.x) <= SLACK:
                     yield (
                         ("supports",),
                         f"supports '{other.name}' and '{support.name}' both hold {dof} there",
                     )
-            alike.append(support)
-    along = taken.get(("x", frozenset((SPINDLE, GROUND))))
-    if along and spindle.seats:
+            same_dof.append(support)
+    axial = fixing.get(("x", frozenset((SPINDLE, GROUND))))
+    if axial and spindle.seats:
         yield (
             ("supports",),
-            f"support '{along[0].name}' holds x rigidly beside bearings, whose preload moves "
+            f"support '{axial[0].name}' holds x rigidly beside bearings, whose preload moves "
             "the shaft along: give it a stiffness xx",
         )
 
 
 def _names_taken(spindle: Spindle) -> Faults:
-    """Housings and rotors that bear the name of something else."""
+    """Yield a fault where a housing or rotor has the name of something else."""
     taken = {seat.name: "a bearing" for seat in spindle.seats}
     taken |= {support.name: "a support" for support in spindle.supports}
-    more = {rotor.name: "a rotor" for rotor in spindle.rotors}
-    more |= {GROUND: "ground", SPINDLE: "the shaft"}
+    further = {rotor.name: "a rotor" for rotor in spindle.rotors}
+    further |= {GROUND: "ground", SPINDLE: "the shaft"}
     for key, parts in (("rotors", spindle.rotors), ("housings", spindle.housings)):
         for index, part in enumerate(parts):
             if part.name and (what := taken.get(part.name)):
@@ -193,17 +193,17 @@ def _names_taken(spindle: Spindle) -> Faults:
                     (key, index, "name"),
                     f"name already taken by {what}: given '{part.name}'; allowed: any other",
                 )
-        taken |= more
+        taken |= further
 
 
 def misnamed(spindle: Spindle) -> bool:
-    """Names of rotors are at fault, so that what bears them elsewhere cannot be judged."""
+    """Return whether rotors have faulty names, so that references to them mean nothing."""
     names = [rotor.name for rotor in spindle.rotors]
     return bool({SPINDLE, GROUND, ""} & {*names}) or len({*names}) < len(names)
 
 
 def _rotors(spindle: Spindle) -> Faults:
-    """Further rotors are held, and supports join what there is."""
+    """Yield faults of further rotors: names, ends of supports, rotors that nothing supports."""
     names = [rotor.name for rotor in spindle.rotors]
     for index, name in enumerate(names):
         if name in (SPINDLE, GROUND):
@@ -241,62 +241,62 @@ def _ends(spindle: Spindle, known: tuple[str, ...]) -> Faults:
 
 
 def held_by(spindle: Spindle, name: str) -> frozenset[str]:
-    """DOF of bending in which supports hold a rotor, by their stiffness or rigidly."""
+    """Return the bending DOF in which supports hold a rotor, by their stiffness or rigidly."""
     touching = [support for support in spindle.supports if name in support.ends]
-    held = [dof for support in touching for dof in support.rigid]
+    dofs = [dof for support in touching for dof in support.rigid]
     for support in touching:
-        held += [a for (a, b), value in support.stiffness.items() if a == b and acts(value)]
-    return frozenset(dof for dof in held if MOTIONS.get(dof) == "bending")
+        dofs += [a for (a, b), value in support.stiffness.items() if a == b and acts(value)]
+    return frozenset(dof for dof in dofs if MOTIONS.get(dof) == "bending")
 
 
 def _losses(spindle: Spindle) -> Faults:
     factors: list[tuple[Path, float]] = [(("damping", "loss_factor"), spindle.loss_factor)]
     for index, support in enumerate(spindle.supports):
         factors.append((("supports", index, "loss_factor"), support.loss_factor))
-    for way, value in factors:
+    for path, value in factors:
         if value:
             yield (
-                way,
+                path,
                 "loss factors are known of machines with one rotor, since each sees whirl from its "
                 "own speed: given {given} beside rotors; allowed: 0, with viscous damping instead",
             )
 
 
 def _carried(spindle: Spindle) -> Faults:
-    """What housings carry exists, stands on one of them, and gives way nowhere else."""
+    """Yield faults of what housings carry: unknown, on two housings, or held otherwise."""
     turning = (SPINDLE, *(rotor.name for rotor in spindle.rotors))
     bearings = [seat.name for seat in spindle.seats]
-    held = {support.name: support for support in spindle.supports}
+    supports = {support.name: support for support in spindle.supports}
     sprung = {
         name: sleeve.name
         for sleeve in spindle.sleeves
         if sleeve.radially < math.inf
         for name in sleeve.bearings
     }
-    taken: dict[str, str] = {}
+    base: dict[str, str] = {}
     for index, housing in enumerate(spindle.housings):
-        way = ("housings", index, "carries")
+        path = ("housings", index, "carries")
         for name in dict.fromkeys(filter(None, housing.carries)):
-            known = [*bearings, *held]
+            known = [*bearings, *supports]
             if name not in known:
                 allowed = ", ".join(known) or "none, there are none"
                 yield (
-                    way,
+                    path,
                     f"carries an unknown support or bearing '{name}'; allowed: {allowed}"
                     f"{suggestion(name, known)}",
                 )
-            elif name in bearings and name in held:
-                yield way, f"'{name}' is both a support and a bearing: rename one of them"
-            elif name in held and held[name].rigid:
-                yield way, f"support '{name}' is rigid, and a housing that gives way is not"
-            elif name in held and held[name].against in turning:
-                yield way, f"support '{name}' stands between two rotors, not on ground"
+            elif name in bearings and name in supports:
+                yield path, f"'{name}' is both a support and a bearing: rename one of them"
+            elif name in supports and supports[name].rigid:
+                yield path, f"support '{name}' is rigid, and a housing that gives way is not"
+            elif name in supports and supports[name].against in turning:
+                yield path, f"support '{name}' stands between two rotors, not on ground"
             elif name in sprung:
                 yield (
-                    way,
+                    path,
                     f"bearing '{name}' is on sleeve '{sprung[name]}', whose radial stiffness holds "
                     "it against ground: leave that out, or the bearing off the housing",
                 )
-            if name in taken:
-                yield way, f"'{name}' stands on two housings: {taken[name]} and {housing.name}"
-            taken[name] = housing.name
+            if name in base:
+                yield path, f"'{name}' stands on two housings: {base[name]} and {housing.name}"
+            base[name] = housing.name

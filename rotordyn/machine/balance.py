@@ -15,9 +15,9 @@ def permissible_unbalance(quality: float, mass: float, speed: float) -> float:
 
 
 def plane_shares(centre: float, first: float, second: float) -> tuple[float, float]:
-    """Shares of two planes with the centre of gravity between them, all at stations [m].
+    """Return the shares of two planes with the centre of gravity between them, stations in m.
 
-    By the levers, neither below ``LEAST_SHARE``.
+    They follow from the levers; neither is below ``LEAST_SHARE``.
 
     >>> plane_shares(0.75, 0.0, 1.0), plane_shares(0.95, 0.0, 1.0)
     ((0.3, 0.7), (0.3, 0.7))

@@ -1,4 +1,4 @@
-"""The ball guide in which a sleeve slides: what holds it across the axis."""
+"""The ball guide in which a sleeve slides, and its radial stiffness."""
 
 from __future__ import annotations
 
@@ -41,13 +41,13 @@ class BallGuide(Description):
 
     @property
     def stiffness(self) -> float:
-        """At the centre [N/m]; NaN of a guide one of whose values is reported as faulty."""
+        """Radial stiffness at the centre [N/m]; NaN where a value is reported as faulty."""
         sizes = self.ball_diameter, self.column_diameter, self.interference
         return self.law.stiffness if self.balls and all(map(known, sizes)) else math.nan
 
     @cached_property
     def law(self) -> LinearBallGuide:
-        """Its law of force."""
+        """Law of its radial force."""
         from bearings import LinearBallGuide
 
         sizes = self.ball_diameter, self.column_diameter

@@ -1,7 +1,7 @@
 """A set of bearings as designers call it, DB or TBT, and how it is preloaded.
 
-The letters say which way the bearings of a set take thrust, from front to rear. What a set says is
-the same as thrusts and a sleeve written out, a locked one for a rigid preload, a sprung one else.
+The letters give the directions in which the bearings take thrust, from front to rear. A set is
+equivalent to given thrusts and a sleeve, locked for a rigid preload, on a spring otherwise.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from rotordyn.quantity import (
     StopTravel,
 )
 
-SETS = {  # +: the shaft pushes towards +x; the mirror image serves as well
+SETS = {  # +: the shaft pushes towards +x; the mirror image is the same set
     "DB": "+-",
     "DF": "-+",
     "DT": "++",
@@ -41,19 +41,19 @@ SETS = {  # +: the shaft pushes towards +x; the mirror image serves as well
 
 
 def patterns(name: str) -> tuple[str, ...]:
-    """Signs of thrust of a set from front to rear: as drawn, and its mirror image."""
+    """Return the signs of thrust of a set from front to rear: as drawn, and its mirror image."""
     drawn = SETS[name]
     mirrored = drawn[::-1].translate(str.maketrans("+-", "-+"))
     return tuple(dict.fromkeys((drawn, mirrored)))
 
 
 def fitting(name: str, given: Sequence[str]) -> str:
-    """Signs of thrust of a set, as drawn or mirrored, whichever has the signs ``given`` of its
-    bearings, of which the empty ones follow; as drawn where neither has them."""
-    named = patterns(name) if name in [*SETS] else ()
-    known = [signs for signs in named if len(signs) == len(given)] or ["+" * len(given)]
-    fit = (s for s in known if all(g in ("", sign) for g, sign in zip(given, s, strict=True)))
-    return next(fit, known[0])
+    """Return the signs of thrust of a set, as drawn or mirrored, whichever agrees with the signs
+    ``given`` of its bearings (empty: not given); as drawn where neither does."""
+    both = patterns(name) if name in [*SETS] else ()
+    sets = [signs for signs in both if len(signs) == len(given)] or ["+" * len(given)]
+    fits = (s for s in sets if all(g in ("", sign) for g, sign in zip(given, s, strict=True)))
+    return next(fits, sets[0])
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,13 +83,13 @@ class SetPreload(Description):
     ] = 0.0
 
     def _faults(self) -> Faults:
-        ways = ("force", "class_force", "offset", "constant_force")
-        given = [key for key in ways if getattr(self, key) is not None]
+        keys = ("force", "class_force", "offset", "constant_force")
+        given = [key for key in keys if getattr(self, key) is not None]
         if len(given) != 1:
-            words = ", ".join(given) or "none"
+            names = ", ".join(given) or "none"
             yield (
                 (),
-                f"a preload is given in one way: given {words}; allowed: one of force, class (its "
+                f"a preload is given in one way: given {names}; allowed: one of force, class (its "
                 "class_force), offset, constant_force",
             )
         elif given[0] != "force" and math.isfinite(self.stiffness):
@@ -108,7 +108,7 @@ class SetPreload(Description):
 
     @property
     def spring(self) -> Spring:
-        """What pushes the sleeve of the set."""
+        """Spring that loads the sleeve of the set."""
         if self.constant_force is not None:
             return Spring(self.constant_force, CONSTANT)
         if self.offset is not None:
@@ -145,50 +145,50 @@ class BearingSet(Description):
             yield ("preload",), f"missing key: a set {self.set} needs it"
 
     def faults_with(self, seats: Sequence[BearingSeat]) -> Faults:
-        """What contradicts the bearings of the spindle, by path from the set on."""
-        held = {seat.name: seat for seat in seats}
-        there = [held[name] for name in self.bearings if name in held]
+        """Yield contradictions with the bearings of the spindle, by path from the set on."""
+        seat_of = {seat.name: seat for seat in seats}
+        members = [seat_of[name] for name in self.bearings if name in seat_of]
         size = len(SETS.get(self.set, ""))
-        if not size or not size == len(there) == len(self.bearings) == len({*self.bearings}):
+        if not size or not size == len(members) == len(self.bearings) == len({*self.bearings}):
             return
-        if [seat.x for seat in there] != sorted(seat.x for seat in there):
-            order = ", ".join(seat.name for seat in sorted(there, key=lambda s: s.x))
+        if [seat.x for seat in members] != sorted(seat.x for seat in members):
+            order = ", ".join(seat.name for seat in sorted(members, key=lambda s: s.x))
             yield ("bearings",), f"from front to rear they are {order}: name them in this order"
             return
-        signs = "".join("+" if seat.thrust > 0 else "-" for seat in there)
+        signs = "".join("+" if seat.thrust > 0 else "-" for seat in members)
         if signs not in patterns(self.set):
             wanted = " or ".join(patterns(self.set))
             yield (
                 ("set",),
                 f"the bearings do not make a set {self.set}: their thrusts from front to rear are "
                 f"{signs}, and those of {self.set} are {wanted}; turn bearings, or "
-                + _instead(signs),
+                + _alternative(signs),
             )
 
     def turned(self, seats: tuple[BearingSeat, ...]) -> tuple[BearingSeat, ...]:
-        """``seats`` as this set turns those whose files give no thrust of their own."""
-        held = {seat.name: seat for seat in seats}
-        there = [held[name] for name in self.bearings if name in held]
-        given = ["" if seat.by_set else "+" if seat.thrust > 0 else "-" for seat in there]
+        """Return ``seats`` with the thrust of this set where their files give none."""
+        seat_of = {seat.name: seat for seat in seats}
+        members = [seat_of[name] for name in self.bearings if name in seat_of]
+        given = ["" if seat.by_set else "+" if seat.thrust > 0 else "-" for seat in members]
         signs = fitting(self.set, given)
-        for seat, sign in zip(there, signs, strict=True):
+        for seat, sign in zip(members, signs, strict=True):
             if seat.by_set:
-                held[seat.name] = replace(seat, thrust=1 if sign == "+" else -1)
-        return tuple(held.values())
+                seat_of[seat.name] = replace(seat, thrust=1 if sign == "+" else -1)
+        return tuple(seat_of.values())
 
     def sleeve(self, seats: Sequence[BearingSeat]) -> Sleeve | None:
-        """The sleeve under the rear side of the set, locked or sprung."""
+        """Return the sleeve under the rear side of the set, locked or on a spring."""
         if self.preload is None:
             return None
-        held = {seat.name: seat.thrust for seat in seats if seat.name in self.bearings}
-        rear = held.get(self.bearings[-1]) if self.bearings else None
-        side = tuple(name for name in self.bearings if rear and held.get(name) == rear)
+        thrusts = {seat.name: seat.thrust for seat in seats if seat.name in self.bearings}
+        rear = thrusts.get(self.bearings[-1]) if self.bearings else None
+        side = tuple(name for name in self.bearings if rear and thrusts.get(name) == rear)
         if not side:
             return None
-        own = self.preload
-        return Sleeve(self.name, side, own.spring, own.stop_travel, friction=own.friction)
+        load = self.preload
+        return Sleeve(self.name, side, load.spring, load.stop_travel, friction=load.friction)
 
 
-def _instead(signs: str) -> str:
+def _alternative(signs: str) -> str:
     names = [name for name in SETS if signs in patterns(name)]
     return f"name the set {names[0]}" if names else "give sleeves in the place of a set"

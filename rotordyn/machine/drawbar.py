@@ -40,7 +40,7 @@ class Drawbar(Description):
 
     @property
     def contacts(self) -> tuple[float, ...]:
-        """Stations at which the bar follows the shaft, ends included; none where it always does."""
+        """Stations at which the bar follows the shaft, with its ends; none if everywhere."""
         if isinstance(self.guides, str):
             return ()
         return (self.start, *self.guides, self.end)

@@ -24,7 +24,7 @@ OuterSize = Annotated[
 RingWidth = Annotated[
     Diameter | None, "of the rings; in files by default that of the bearing model"
 ]
-AROUND = 1.5  # outer diameter of a housing over that of the ring in it, where it is not given
+AROUND = 1.5  # outer diameter of a housing over that of the ring in it, by default
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,8 +61,8 @@ class Fits(Description):
     housing_material: Annotated[Material, Key(default=STEEL), "name, path or mapping"] = STEEL
 
     def _faults(self) -> Faults:
-        yield from self._of_ring("shaft", "bore_diameter", "a shaft, such as k5")
-        yield from self._of_ring("housing", "outside_diameter", "a bore, such as JS5")
+        yield from self._ring_faults("shaft", "bore_diameter", "a shaft, such as k5")
+        yield from self._ring_faults("housing", "outside_diameter", "a bore, such as JS5")
         for key in ("outside_diameter", "width"):
             if self.under_balls and getattr(self, key) is None:
                 yield (
@@ -81,8 +81,8 @@ class Fits(Description):
             return
         yield from no_housing(self.housing_diameter, self.outside_diameter)
 
-    def _of_ring(self, key: str, needs: str, kind: str) -> Faults:
-        """The class at ``key`` is one of such a ``kind``, tabled for the diameter that it needs."""
+    def _ring_faults(self, key: str, needs: str, kind: str) -> Faults:
+        """Check the class at ``key``: of this ``kind``, and tabled for the diameter it needs."""
         word, size, inner = getattr(self, key), getattr(self, needs), key == "shaft"
         if not word or size != size:
             return
@@ -101,25 +101,25 @@ class Fits(Description):
 
     @property
     def inner(self) -> Interference:
-        """Of the inner ring on the shaft, on the diameter [m]."""
+        """Interference of the inner ring on the shaft, on the diameter [m]."""
         assert self.bore_diameter is not None
         shaft = limits(self.shaft, self.bore_diameter)
         return interference(shaft, bearing_bore(self.bore_diameter, self.rings))
 
     @property
     def outer(self) -> Interference:
-        """Of the outer ring in the housing, on the diameter [m]; below 0: clearance."""
+        """Interference of the outer ring in the housing, on the diameter [m], < 0: clearance."""
         assert self.outside_diameter is not None
         ring = bearing_outside(self.outside_diameter, self.rings)
         return interference(ring, limits(self.housing, self.outside_diameter))
 
     def depth(self, which: str) -> float:
-        """Interference on the radius that is taken, of ``"inner"`` or ``"outer"`` [m]."""
+        """Return the interference in force on the radius, of ``"inner"`` or ``"outer"`` [m]."""
         interference: Interference = getattr(self, which)
-        found = interference.reduced(self.smoothing)
-        by_word = found._asdict()
-        by_word["probable_least"], by_word["probable_most"] = found.probable
-        return float(by_word[self.taken]) / 2.0
+        reduced = interference.reduced(self.smoothing)
+        depths = reduced._asdict()
+        depths["probable_least"], depths["probable_most"] = reduced.probable
+        return float(depths[self.taken]) / 2.0
 
     @property
     def housing_radius(self) -> float:
@@ -129,7 +129,7 @@ class Fits(Description):
 
 
 def no_housing(around: float | None, ring: float | None) -> Faults:
-    """A fault where an outside diameter of the housing leaves none around the ring [m]."""
+    """Yield a fault where an outside diameter of the housing leaves no wall around a ring [m]."""
     if around is not None and ring is not None and around <= ring:
         yield (
             ("housing_diameter",),

@@ -1,4 +1,4 @@
-"""Rings that deform under their balls, with what they sit on."""
+"""Rings that deform under their balls, with the shaft and the housing they sit on."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ NEIGHBOURS = ("alike", "apart")
 
 
 class Beside(NamedTuple):
-    """A bearing beside another one of the same kind and size: its ``rings``, its ``place`` relative
-    to that one, and whether one sleeve or housing carries both."""
+    """An adjacent bearing of the same kind and size: its ``rings``, its ``place`` relative to the
+    first, and whether one sleeve or housing carries both."""
 
     rings: FlexibleRings
     place: Neighbour
@@ -92,15 +92,15 @@ class RingBodies(Description):
 
     @property
     def sound(self) -> bool:
-        """Whether every value was taken; faults of the others are reported by their keys."""
+        """Whether every value is valid; faults of the others are reported by their keys."""
         named = (*SIZES, "shaft_bore", "housing_diameter", "length")
         sizes = [getattr(self, name) for name in named]
-        words = self.which in WHICH and self.ends in ENDS and self.neighbours in NEIGHBOURS
-        return words and all(size == size for size in sizes)
+        choices = self.which in WHICH and self.ends in ENDS and self.neighbours in NEIGHBOURS
+        return choices and all(size == size for size in sizes)
 
     @property
     def joins(self) -> bool:
-        """Whether they deform their wall together with their neighbours."""
+        """Whether its rings deform their wall together with their neighbours."""
         return self.neighbours == NEIGHBOURS[0] and self.sound and not any(self._faults())
 
     def _faults(self) -> Faults:
@@ -111,11 +111,11 @@ class RingBodies(Description):
                     "missing key: a ring that deforms needs it; the model of this bearing gives "
                     "none",
                 )
-        for key, serves, other in (
+        for key, deforms, other in (
             ("shaft_bore", self.inner, "an inner"),
             ("housing_diameter", self.outer, "an outer"),
         ):
-            if getattr(self, key) is not None and not serves:
+            if getattr(self, key) is not None and not deforms:
                 yield (
                     (key,),
                     f"serves {other} ring that deforms: given {{given}} beside which: "
@@ -144,9 +144,9 @@ class RingBodies(Description):
         shaft: Material = STEEL,
         fits: Fits | None = None,
     ) -> FlexibleRings:
-        """Rings of a ``bearing`` on a ``shaft`` with a ``hole`` of that diameter [m].
+        """Return rings of a ``bearing`` on a ``shaft`` with a ``hole`` of that diameter [m].
 
-        ``fits`` of the seat, which may know the housing.
+        ``fits`` of the seat give the housing, where there are any.
 
         Raises
         ------
@@ -181,20 +181,20 @@ class RingBodies(Description):
 
 
 def together(rings: FlexibleRings, others: Iterable[Beside]) -> FlexibleRings:
-    """The rings of a bearing with those beside them that deform the same piece of wall."""
+    """Return the rings of a bearing with the adjacent ones that deform the same wall."""
     others = [*others]
     inner, outer = rings.inner, rings.outer
     if inner is not None:
         places = [each.place for each in others if each.rings.inner == inner]
-        inner = _with(inner, places)
+        inner = _with_neighbours(inner, places)
     if outer is not None:
         places = [each.place for each in others if each.rings.outer == outer and each.carried_alike]
-        outer = _with(outer, places)
+        outer = _with_neighbours(outer, places)
     return FlexibleRings(inner, outer)
 
 
-def _with(ring: ElasticRing, places: Iterable[Neighbour]) -> ElasticRing:
-    """A ring with its neighbours of these ``places``, those within its piece of the wall."""
+def _with_neighbours(ring: ElasticRing, places: Iterable[Neighbour]) -> ElasticRing:
+    """Return a ring with its neighbours at ``places``, those within its length of wall."""
     nearest, furthest = (1.0 - TOUCHING) * ring.width, 0.5 * (ring.length + ring.width)
-    near = [place for place in places if nearest <= abs(place.distance) <= furthest]
-    return replace(ring, neighbours=tuple(sorted(near)))
+    neighbours = [place for place in places if nearest <= abs(place.distance) <= furthest]
+    return replace(ring, neighbours=tuple(sorted(neighbours)))

@@ -1,4 +1,4 @@
-"""What a spindle went through before it stands as it does: steps of a path, one thing at a time."""
+"""The load history of a spindle: steps of a path, each of which changes one thing."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ CHANGES = ("warm", "speed", "run_up", "axial_force")
 
 @dataclass(frozen=True, slots=True)
 class HistoryStep(Description):
-    """One change from where the step before ended [rad/s], [N]; the first begins at rest, as
-    assembled, under the weight alone."""
+    """One change after the step before [rad/s], [N]; the first one starts from rest, as assembled,
+    under the weight alone."""
 
     warm: Annotated[
         bool | None, "`true`: the temperatures of the conditions, `false`: those of assembly"
@@ -34,21 +34,21 @@ class HistoryStep(Description):
         given = [key for key in CHANGES if getattr(self, key) is not None]
         given = [key for key in given if key != "run_up" or self.run_up]
         if len(given) != 1:
-            words = " and ".join(given) or "nothing"
+            names = " and ".join(given) or "nothing"
             yield (
                 (),
-                f"a step changes one thing: given {words}; allowed: one of " + ", ".join(CHANGES),
+                f"a step changes one thing: given {names}; allowed: one of " + ", ".join(CHANGES),
             )
 
 
 def history_faults(steps: Sequence[HistoryStep]) -> Faults:
-    """What contradicts itself in the order of the steps, by path from the history on."""
-    places = [k for k, step in enumerate(steps) if step.run_up]
-    for place in places[1:]:
-        path: Path = (place, "run_up")
+    """Yield contradictions in the order of the steps, by path from the history on."""
+    run_ups = [k for k, step in enumerate(steps) if step.run_up]
+    for index in run_ups[1:]:
+        path: Path = (index, "run_up")
         yield path, "a history runs up once: given again; leave it out, or the first"
     for k, step in enumerate(steps):
-        if places and k > places[0] and step.speed is not None:
+        if run_ups and k > run_ups[0] and step.speed is not None:
             yield (
                 (k, "speed"),
                 "after the run-up every step is made at each speed of the case: given {given}; "
@@ -58,8 +58,8 @@ def history_faults(steps: Sequence[HistoryStep]) -> Faults:
 
 @dataclass(frozen=True, slots=True)
 class Past:
-    """``steps`` from assembly on, the ``weight`` acting all the time [N]; without steps the
-    temperatures come first, and the run-up follows."""
+    """``steps`` from assembly on, with the ``weight`` acting throughout [N]; without steps the
+    temperatures are applied first, then the run-up."""
 
     steps: tuple[HistoryStep, ...] = ()
     weight: float = 0.0
@@ -76,7 +76,7 @@ class Past:
 
     @property
     def speeds(self) -> tuple[float, ...]:
-        """Rest, and those to which steps go [rad/s]."""
+        """Zero, and the speeds of the steps [rad/s]."""
         return 0.0, *(step.speed for step in self.steps if step.speed is not None)
 
     @property
@@ -87,8 +87,8 @@ class Past:
 
     @property
     def _run_up(self) -> int:
-        found = (k for k, step in enumerate(self.steps) if step.run_up)
-        return next(found, len(self.steps))
+        run_ups = (k for k, step in enumerate(self.steps) if step.run_up)
+        return next(run_ups, len(self.steps))
 
 
 ASSEMBLED = Past()

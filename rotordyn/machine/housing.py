@@ -1,4 +1,4 @@
-"""What supports and bearings stand on where that gives way: a rigid body on springs, or a model."""
+"""Flexible housings under supports and bearings: a rigid body on springs, or a reduced model."""
 
 from __future__ import annotations
 
@@ -67,13 +67,13 @@ class RigidHousing(Description):
 
     @property
     def dofs(self) -> tuple[str, ...]:
-        """Those in which it moves, in the usual order."""
+        """DOF in which it moves, in the order of ``DOFS``."""
         named = {dof for pair, k in self.stiffness.items() if known(k) for dof in pair}
         return tuple(dof for dof in DOFS if dof in named)
 
     @property
     def directions(self) -> frozenset[str]:
-        """In which what it carries is moved: a tilt moves stations beside ``x`` across as well."""
+        """Directions in which it moves its load: a tilt moves stations off ``x`` laterally too."""
         across = {"thy": "z", "thz": "y"}
         return frozenset((*self.dofs, *(across[dof] for dof in self.dofs if dof in across)))
 
@@ -110,7 +110,7 @@ class ReducedHousing(Description):
             )
 
     def _place_faults(self) -> Iterable[str]:
-        """Places are directions under what is carried, each once, and none of that is left out."""
+        """Yield faults of places: each a direction under a carried part, one per part at least."""
         for place in self.places:
             name, _, direction = place.rpartition(".")
             if direction not in DOFS or name not in self.carries:
@@ -126,7 +126,7 @@ class ReducedHousing(Description):
 
     @property
     def directions(self) -> frozenset[str]:
-        """In which what it carries is moved."""
+        """Directions in which carried parts move."""
         return frozenset(place.rpartition(".")[2] for place in self.places)
 
 
@@ -134,7 +134,7 @@ Housing = RigidHousing | ReducedHousing
 
 
 def housed_motions(housings: Iterable[Housing]) -> frozenset[str]:
-    """Those of ``"bending"``, ``"axial"`` and ``"torsion"`` that housings take part in."""
+    """Return those of ``"bending"``, ``"axial"`` and ``"torsion"`` that housings take part in."""
     return frozenset(
         MOTIONS[name] for housing in housings for name in housing.directions if name in MOTIONS
     )

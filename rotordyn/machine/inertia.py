@@ -26,7 +26,7 @@ class RotorInertia:
 
 
 def rotor_inertia(spindle: Spindle) -> RotorInertia:
-    """Everything that turns: sections, point masses, discs."""
+    """Return the inertia of all rotating parts: sections, point masses, discs."""
     bodies = tuple(_bodies(spindle))
     mass = sum(body.mass for body in bodies)
     centre = sum(body.mass * body.centre for body in bodies) / mass
@@ -36,10 +36,10 @@ def rotor_inertia(spindle: Spindle) -> RotorInertia:
 
 
 def section_inertia(section: Section, front: float) -> RotorInertia:
-    """A hollow cylinder or cone whose ``front`` end is at that station [m], as a rigid body."""
+    """Return the inertia of a rigid hollow cylinder or cone with its ``front`` end there [m]."""
     line, length = section.density * section.length, section.length
     mass = line * mean_area(section.outer, section.inner)
-    first, second = (line * each for each in area_moments(section.outer, section.inner))
+    first, second = (line * moment for moment in area_moments(section.outer, section.inner))
     transverse = line * mean_second_moment(section.outer, section.inner)
     diametral = transverse + (second - first**2 / mass) * length**2
     centre = front + (0.5 + first / mass) * length
@@ -47,7 +47,7 @@ def section_inertia(section: Section, front: float) -> RotorInertia:
 
 
 def mass_in_front(shaft: Shaft, x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Mass of the shaft in front of stations ``x`` [m], without bodies on it [kg]."""
+    """Return the mass of the shaft in front of stations ``x`` [m], without bodies on it [kg]."""
     columns: Any = [(*s.outer, *s.inner, s.density, s.length) for s in shaft.sections]
     front_outer, rear_outer, front_inner, rear_inner, density, length = np.array(columns).T
     edges = np.array(shaft.boundaries)
@@ -56,8 +56,8 @@ def mass_in_front(shaft: Shaft, x: NDArray[np.float64]) -> NDArray[np.float64]:
     k = np.clip(np.searchsorted(edges, x) - 1, 0, len(masses) - 1)
     share = np.clip((x - edges[k]) / length[k], 0.0, 1.0)
     ends = [(a[k], a[k] + share * (b - a)[k]) for a, b in (outer, inner)]
-    whole = np.concatenate([[0.0], np.cumsum(masses)])
-    return np.asarray(whole[k] + density[k] * length[k] * share * mean_area(ends[0], ends[1]))
+    cumulative = np.concatenate([[0.0], np.cumsum(masses)])
+    return np.asarray(cumulative[k] + density[k] * length[k] * share * mean_area(ends[0], ends[1]))
 
 
 def _bodies(spindle: Spindle) -> Iterator[RotorInertia]:

@@ -16,7 +16,7 @@ WAYS = ("radial", "tilt", "axial", "torsion")
 class Joint(Description):
     """Springs and dampers between the part of the shaft in front of ``x`` and the part behind.
 
-    They turn with the shaft and answer alike in all directions about it. [N/m], [N·m/rad]; what is
+    They turn with the shaft and are isotropic about its axis. [N/m], [N·m/rad]; what is
     not given is rigid. Dampers [N·s/m], [N·m·s/rad] act in directions that have a stiffness.
     """
 

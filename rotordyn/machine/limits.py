@@ -1,4 +1,4 @@
-"""What a ball contact stands [Pa]."""
+"""Pressures that ball contacts withstand [Pa]."""
 
 # ISO 76: at 4.2 GPa the permanent dent of a ball bearing reaches 1e-4 of the ball diameter.
 WARNING_PRESSURE = 4.2e9

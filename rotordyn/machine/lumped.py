@@ -33,13 +33,13 @@ class PointMass(Description):
     diametral_inertia: Annotated[Inertia, "about a diameter through its centre"] = 0.0
 
     def _faults(self) -> Faults:
-        """A flat body has Jp = 2 Jd, a slender one less."""
-        most = 2.0 * self.diametral_inertia
-        if self.polar_inertia > most * (1.0 + 1e-6):
+        """Yield a fault where Jp > 2 Jd: a flat body has Jp = 2 Jd, a slender one less."""
+        limit = 2.0 * self.diametral_inertia
+        if self.polar_inertia > limit * (1.0 + 1e-6):
             yield (
                 ("polar_inertia",),
                 "impossible body: given {given}; allowed: up to twice the diametral inertia, "
-                f"{most:.6g} kg m^2",
+                f"{limit:.6g} kg m^2",
             )
 
 
@@ -67,7 +67,7 @@ class Disc(Description):
         return self.material.density * math.pi * (ro**2 - ri**2) * self.width
 
     def as_point_mass(self) -> PointMass:
-        """Mass and inertias of the hollow cylinder about its own centre."""
+        """Return the mass and inertias of the hollow cylinder about its own centre."""
         ro, ri = self.outer_diameter / 2.0, self.inner_diameter / 2.0
         polar = self._mass * (ro**2 + ri**2) / 2.0
         diametral = polar / 2.0 + self._mass * self.width**2 / 12.0

@@ -17,9 +17,9 @@ DOFS = ("x", "y", "z", "thx", "thy", "thz")
 Dof = Annotated[str, Choice(DOFS)]
 Value = float | tuple[float, ...]
 Entries = Mapping[tuple[Dof, Dof], Value]
-WHOLE = ("dof", "matrix")  # keys of a matrix that is given whole
+WHOLE = ("dof", "matrix")  # keys of a complete matrix
 SYMMETRIC = 1e-9  # of an entry: less than that is rounding
-MOST = {"stiffness": 1e20, "damping": 1e13}  # [SI] of any entry: beyond, rounding rules
+MOST = {"stiffness": 1e20, "damping": 1e13}  # [SI] of any entry: beyond, rounding dominates
 _UNITS = {"stiffness": ("N/m", "N/rad", "N m/rad"), "damping": ("N s/m", "N s/rad", "N m s/rad")}
 
 
@@ -27,14 +27,14 @@ _UNITS = {"stiffness": ("N/m", "N/rad", "N m/rad"), "damping": ("N s/m", "N s/ra
 class Matrix:
     """Marks entries of a 6×6 ``"stiffness"`` or ``"damping"`` matrix by pair (load, displacement).
 
-    They may be written by name (``yy``, ``y_thz``), or whole, with the DOF of rows and columns; in
-    Python also as 6 × 6 numbers, or lists of them over the speeds of a table.
+    Files write them by name (``yy``, ``y_thz``), or as a matrix with the DOF of its rows and
+    columns; Python also as 6 × 6 numbers, or lists of them over the speeds of a table.
     """
 
     kind: str
 
     def meant(self, value: object) -> object:
-        """The same by pair.
+        """Return the entries by pair.
 
         >>> STIFFNESS.meant({"yy": "50 N/um", ("z", "z"): 4e7})
         {('y', 'y'): 50000000.0, ('z', 'z'): 40000000.0}
@@ -44,30 +44,30 @@ class Matrix:
         if isinstance(value, Mapping) and set(value) == {*WHOLE}:
             entries = _whole(_dofs(value["dof"]), value["matrix"])
         elif isinstance(value, Mapping):
-            entries = {_pair(key): each for key, each in value.items()}
+            entries = {_pair(key): entry for key, entry in value.items()}
             if len(entries) < len(value):
                 raise InvalidInput("an entry is given twice: allowed: once, by name or by pair")
         elif isinstance(value, list | tuple) or getattr(value, "ndim", 0) > 0:
             entries = _whole(DOFS, value)
         else:
             return value
-        return {pair: self._read(pair, each) for pair, each in entries.items()}
+        return {pair: self._read(pair, entry) for pair, entry in entries.items()}
 
     def _read(self, pair: Any, value: object) -> object:
         if isinstance(value, list | tuple):
-            return [self._read(pair, each) for each in value]
+            return [self._read(pair, item) for item in value]
         return self.quantity(*pair).read(value) if isinstance(value, str) else value
 
     def quantity(self, row: str, column: str) -> Quantity:
-        """What an entry takes, by how many of its two DOF are rotations."""
+        """Return the range of an entry, by how many of its two DOF are rotations."""
         return _entry(self.kind, sum(len(dof) > 1 for dof in (row, column)))
 
     def refusal(self, entries: Entries) -> str:
-        """Why an entry is not taken; empty where all are."""
+        """Return why an entry is refused; empty where all are allowed."""
         for pair, value in entries.items():
             quantity = self.quantity(*pair)
-            for each in value if isinstance(value, tuple) else (value,):
-                if why := quantity.refusal(each):
+            for number in value if isinstance(value, tuple) else (value,):
+                if why := quantity.refusal(number):
                     return f"{entry_name(*pair)}: {why}"
         return ""
 
@@ -100,7 +100,7 @@ def _dofs(given: Any) -> tuple[str, ...]:
 
 
 def _whole(dofs: Sequence[str], matrix: Any) -> dict[tuple[str, str], Any]:
-    """Entries of rows of numbers that are not zero."""
+    """Return the nonzero entries of rows of numbers."""
     given = _plain(matrix)
     rows = [_plain(row) for row in given] if isinstance(given, list | tuple) else []
     lengths = [len(row) if isinstance(row, list | tuple) else 0 for row in rows]
@@ -110,11 +110,11 @@ def _whole(dofs: Sequence[str], matrix: Any) -> dict[tuple[str, str], Any]:
             f"not a matrix of its DOF: given {count}; allowed: {len(dofs)} rows of {len(dofs)}"
         )
     pairs = zip(product(dofs, dofs), map(_plain, chain(*rows)), strict=True)
-    return {pair: each for pair, each in pairs if acts(each)}
+    return {pair: number for pair, number in pairs if acts(number)}
 
 
 def _plain(value: Any) -> Any:
-    """Arrays as lists."""
+    """Return arrays as lists."""
     return value.tolist() if hasattr(value, "tolist") else value
 
 
@@ -122,7 +122,7 @@ STIFFNESS, DAMPING = Matrix("stiffness"), Matrix("damping")
 
 
 def entry_name(row: str, column: str) -> str:
-    """An entry of a 6×6 matrix as files write it: ``yy``, ``y_thz``."""
+    """Return the name of an entry of a 6×6 matrix in files: ``yy``, ``y_thz``."""
     return row + column if len(row) == len(column) == 1 else f"{row}_{column}"
 
 
@@ -130,12 +130,12 @@ ENTRIES = {entry_name(row, column): (row, column) for row, column in product(DOF
 
 
 def acts(value: Value | list[float]) -> bool:
-    """False for an entry that is zero at all speeds."""
+    """Return whether an entry is nonzero at some speed."""
     return any(value) if isinstance(value, list | tuple) else value != 0.0
 
 
 def no_spring(stiffness: Entries) -> Iterator[str]:
-    """A sentence where a loss factor has no spring whose energy it could be a share of."""
+    """Yield a sentence where a loss factor has no symmetric, positive semidefinite stiffness."""
     if not any(acts(value) for value in stiffness.values()):
         yield "loss_factor is of a stiffness, and there is none"
         return
@@ -157,13 +157,13 @@ def no_spring(stiffness: Entries) -> Iterator[str]:
 
 
 def _resists(entries: Mapping[tuple[str, str], float]) -> bool:
-    """No motion is driven by a symmetric matrix, each DOF in its own measure."""
+    """Return whether a symmetric matrix, scaled by its diagonal, is positive semidefinite."""
     import numpy as np
 
     names = list(dict.fromkeys(row for row, _ in entries))
     size = {name: entries.get((name, name), 0.0) for name in names}
     if any(size[r] <= 0.0 or size[c] <= 0.0 for (r, c), v in entries.items() if v != 0.0):
         return False
-    held = [name for name in names if size[name] > 0.0]
-    rows = [[entries.get((r, c), 0.0) / math.sqrt(size[r] * size[c]) for c in held] for r in held]
-    return not held or bool(np.linalg.eigvalsh(rows)[0] >= -SYMMETRIC)
+    stiff = [name for name in names if size[name] > 0.0]
+    rows = [[entries.get((r, c), 0.0) / math.sqrt(size[r] * size[c]) for c in stiff] for r in stiff]
+    return not stiff or bool(np.linalg.eigvalsh(rows)[0] >= -SYMMETRIC)

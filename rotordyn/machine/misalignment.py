@@ -1,4 +1,4 @@
-"""How far the bore under an outer ring is off its place."""
+"""Offset and tilt of the bore under an outer ring."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rotordyn.quantity import Growth, SmallAngle
 
 @dataclass(frozen=True, slots=True)
 class Misalignment(Description):
-    """How far the bore under an outer ring lies off the axis [m], and how far it tilts [rad]."""
+    """Offset of the bore under an outer ring from the axis [m], and its tilt [rad]."""
 
     y: Annotated[Growth, "offset along y"] = 0.0
     z: Annotated[Growth, "offset along z"] = 0.0
@@ -20,5 +20,5 @@ class Misalignment(Description):
 
     @property
     def offset(self) -> tuple[float, float, float, float]:
-        """Along y and z, about y and z [m, rad]."""
+        """Offsets along y and z, tilts about y and z [m, rad]."""
         return self.y, self.z, self.thy, self.thz

@@ -1,4 +1,4 @@
-"""The motor that drives the spindle: what it gives at a speed."""
+"""The motor that drives the spindle, and its torque at a speed."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ class Motor(Description):
             yield (), "missing key: power, torque or both"
 
     def torque_at(self, speed: float) -> float:
-        """Torque that it gives at a speed [rad/s] above 0 [N m]."""
+        """Return the torque at a speed [rad/s] above 0 [N m]."""
         of_power = math.inf if self.power is None else self.power / speed
         return of_power if self.torque is None else min(self.torque, of_power)
 
     @property
     def words(self) -> str:
-        """What it is rated for."""
-        given = [] if self.power is None else [f"{self.power / 1e3:.4g} kW"]
-        return ", ".join(given if self.torque is None else [*given, f"{self.torque:.4g} N m"])
+        """Rated values as text."""
+        ratings = [] if self.power is None else [f"{self.power / 1e3:.4g} kW"]
+        return ", ".join(ratings if self.torque is None else [*ratings, f"{self.torque:.4g} N m"])

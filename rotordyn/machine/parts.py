@@ -1,4 +1,4 @@
-"""The parts of a spindle as rows of a table that people read: kind, name, station, data."""
+"""The parts of a spindle as rows of a table: kind, name, station, data."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Row = tuple[str, str, str, str]
 
 
 def part_rows(spindle: Spindle) -> Iterator[Row]:
-    """A row for every part, the shaft first, stations in mm."""
+    """Yield a row for every part, the shaft first, stations in mm."""
     yield _shaft("shaft", spindle.name, spindle.shaft)
     yield from map(_rotor, spindle.rotors)
     for disc in spindle.discs:
@@ -70,10 +70,10 @@ def _sleeve(sleeve: Sleeve) -> Row:
 
 def _support(support: LinearSupport) -> Row:
     stiff = [f"{row}{column}" for row, column in support.stiffness if row == column]
-    words = [f"stiffness {', '.join(stiff)}"] if stiff else []
-    words += [f"rigid {', '.join(support.rigid)}"] if support.rigid else []
-    words += [f"against {support.against}"] if support.against != GROUND else []
-    return "support", support.name, _mm(support.x), "; ".join(words)
+    texts = [f"stiffness {', '.join(stiff)}"] if stiff else []
+    texts += [f"rigid {', '.join(support.rigid)}"] if support.rigid else []
+    texts += [f"against {support.against}"] if support.against != GROUND else []
+    return "support", support.name, _mm(support.x), "; ".join(texts)
 
 
 def _housing(housing: Housing) -> Row:

@@ -1,4 +1,4 @@
-"""What is possible in a machine and yet rarely meant: a sentence each, with the likely remedy.
+"""Warnings about what is possible but rarely intended: a sentence each, with the likely remedy.
 
 Nothing here is refused. Every check reads the description alone.
 """
@@ -21,11 +21,11 @@ RPM = 30.0 / math.pi
 FASTEST = 3.0e6  # [mm/min] n·dm; oil–air spindles of hybrid bearings reach 2 to 2.8 million
 SLOW = 100.0  # [rpm] of the highest speed; those of machining spindles have four digits and more
 THIN = 0.05  # wall over the diameter of a ring: radial stiffness of the bearing 2 to 3 % lower
-COMMON = 0.1  # the same, below which a ring beside it adds to what the wall gives
-GROWING = 1.0e6  # [mm/min] n·dm from which a missing ring growth is worth a word
+COMMON = 0.1  # the same, below which an adjacent ring adds to the deflection of the wall
+GROWING = 1.0e6  # [mm/min] n·dm from which a missing ring growth is reported
 BESIDE = 0.02  # of the width of rings: groove centres lie off their middle
 SLENDER = 100.0  # length over outer diameter of one section
-SOFT = (0.01, 1e3)  # [N/m], [N·m/rad]; springs have 1e5 to 1e8, less than these is meant as none
+SOFT = (0.01, 1e3)  # [N/m], [N·m/rad]; springs have 1e5 to 1e8, less is meant as no spring
 SOFTEST = 1e5  # [Pa] of a solid: a tenth of soft rubber
 STRAIGHT = {("x", "x"), ("y", "y"), ("z", "z")}
 LONG = 10.0  # [m] of a shaft
@@ -33,37 +33,37 @@ NEAR = 1e-6  # [m] between a point and an end
 
 
 def implausible(spindle: Spindle, top: float) -> Iterator[str]:
-    """Sentences about a machine whose spindle turns at up to ``top`` [rad/s]."""
+    """Yield sentences about a machine whose spindle turns at up to ``top`` [rad/s]."""
     yield from _lengths(spindle)
     yield from implausible_bodies(spindle)
     yield from _tip(spindle)
     yield from _bores(spindle)
     yield from _overlapping(spindle)
     yield from _arrangement(spindle)
-    yield from _slow(top)
+    yield from _low_speed(top)
     yield from _speed_factors(spindle, top)
     yield from _thin_walls(spindle)
     yield from _common_walls(spindle)
     yield from _loose_rings(spindle)
-    yield from _soft(spindle)
+    yield from _soft_springs(spindle)
     yield from _materials(spindle)
     yield from estimates({seat.name: seat.bearing for seat in spindle.seats})
 
 
 def estimates(bearings: Mapping[str, BallBearing]) -> Iterator[str]:
-    """Sentences on bearings, by name, whose inside is estimated from a catalogue."""
+    """Yield sentences on bearings, by name, whose geometry is estimated from a catalogue."""
     named: dict[str, list[str]] = {}
     doubted: dict[str, list[str]] = {}
     for name, bearing in bearings.items():
         if bearing.estimated:
             named.setdefault(bearing.estimated, []).append(name)
             doubted.setdefault(bearing.doubt, []).append(name)
-    for words, names in named.items():
+    for text, names in named.items():
         yield (
             f"{_which(names)}: estimate from catalogue values (nine in ten plausible insides): "
-            f"{words}; what hangs on balls and grooves spreads with them"
+            f"{text}; what hangs on balls and grooves spreads with them"
         )
-    yield from (f"{_which(names)}: {words}" for words, names in doubted.items() if words)
+    yield from (f"{_which(names)}: {text}" for text, names in doubted.items() if text)
 
 
 def _which(names: list[str]) -> str:
@@ -71,11 +71,11 @@ def _which(names: list[str]) -> str:
 
 
 def unopposed(spindle: Spindle) -> str:
-    """A sentence where all bearings take thrust the same one way, else nothing."""
-    ways = {seat.thrust for seat in spindle.seats}
-    if len(ways) != 1 or any(seat.bearing.both_ways for seat in spindle.seats):
+    """Return a sentence where all bearings take thrust in the same direction, else ""."""
+    signs = {seat.thrust for seat in spindle.seats}
+    if len(signs) != 1 or any(seat.bearing.both_ways for seat in spindle.seats):
         return ""
-    way, other = ("+x", "-x") if ways == {1} else ("-x", "+x")
+    way, other = ("+x", "-x") if signs == {1} else ("-x", "+x")
     one = "turn one round" if len(spindle.seats) > 1 else "add one"
     return (
         f"all bearings carry thrust towards {way} only, and none opposes them: {one} (thrust: "
@@ -84,7 +84,7 @@ def unopposed(spindle: Spindle) -> str:
 
 
 def undamped(spindle: Spindle) -> bool:
-    """Nothing in the machine dissipates energy."""
+    """Return whether nothing in the machine dissipates energy."""
     joints = [*spindle.joints, *(joint for rotor in spindle.rotors for joint in rotor.joints)]
     damped = (
         spindle.damped
@@ -92,28 +92,28 @@ def undamped(spindle: Spindle) -> bool:
         or bool(spindle.dampers)
         or any(any(rotor.rotor_damping) or bool(rotor.rayleigh) for rotor in spindle.rotors)
         or any(seat.radial_damping or seat.axial_damping for seat in spindle.seats)
-        or any(_acting(each.damping) for each in (*spindle.supports, *spindle.housings))
+        or any(_nonzero(part.damping) for part in (*spindle.supports, *spindle.housings))
         or any(getattr(joint, f"{way}_damping") for joint in joints for way in WAYS)
     )
     return not damped
 
 
-def _acting(matrix: Entries | Rows) -> bool:
-    """A matrix is not zero, by its entries or by its rows."""
+def _nonzero(matrix: Entries | Rows) -> bool:
+    """Return whether a matrix is nonzero, by its entries or by its rows."""
     return any(map(acts, matrix.values() if isinstance(matrix, Mapping) else matrix))
 
 
-def _soft(spindle: Spindle) -> Iterator[str]:
-    """Stiffness far below that of any part of a machine, as of a number given in N/µm."""
-    given = {f"spring of sleeve {s.name}": s.spring.stiffness for s in spindle.sleeves}
-    given |= {f"sleeve {s.name}, radially": s.radially for s in spindle.sleeves}
-    given |= {f"joint {j.name}, {way}": getattr(j, way) for j in spindle.joints for way in WAYS}
+def _soft_springs(spindle: Spindle) -> Iterator[str]:
+    """Warn of stiffness far below that of machine parts, as of a number given in N/µm."""
+    stiffness = {f"spring of sleeve {s.name}": s.spring.stiffness for s in spindle.sleeves}
+    stiffness |= {f"sleeve {s.name}, radially": s.radially for s in spindle.sleeves}
+    stiffness |= {f"joint {j.name}, {way}": getattr(j, way) for j in spindle.joints for way in WAYS}
     for support in spindle.supports:
         for pair, value in support.stiffness.items():
             if pair in STRAIGHT:
                 largest = max(value) if isinstance(value, tuple) else value
-                given[f"support {support.name}, {entry_name(*pair)}"] = largest
-    for what, value in given.items():
+                stiffness[f"support {support.name}, {entry_name(*pair)}"] = largest
+    for what, value in stiffness.items():
         if SOFT[0] < value < SOFT[1]:
             turning = what.endswith(("tilt", "torsion"))
             unit, likely = ("N m/rad", "kN m/rad") if turning else ("N/m", "N/um")
@@ -124,10 +124,10 @@ def _soft(spindle: Spindle) -> Iterator[str]:
 
 
 def _materials(spindle: Spindle) -> Iterator[str]:
-    """Young's moduli far below that of any solid, as of a number given in GPa."""
+    """Warn of Young's moduli far below that of any solid, as of a number given in GPa."""
     used = [section.material for section in spindle.shaft.sections]
     used += [disc.material for disc in spindle.discs]
-    for name, modulus in {(each.name, each.young_modulus): None for each in used}:
+    for name, modulus in {(material.name, material.young_modulus): None for material in used}:
         if modulus < SOFTEST:
             yield (
                 f"young_modulus of {name} is {modulus:.6g} Pa: check its unit (did you mean "
@@ -145,13 +145,13 @@ def _lengths(spindle: Spindle) -> Iterator[str]:
                 f"{section.length:.4g} m long, {slender:.0f} times its diameter: check the unit of "
                 "its length"
             )
-    whole = spindle.shaft.end - spindle.shaft.start
-    if whole > LONG:
-        yield f"the shaft is {whole:.4g} m long: check the units of its sections"
+    total = spindle.shaft.end - spindle.shaft.start
+    if total > LONG:
+        yield f"the shaft is {total:.4g} m long: check the units of its sections"
 
 
 def _tip(spindle: Spindle) -> Iterator[str]:
-    """A tip that stayed where it was when a section of the tool became longer."""
+    """Warn of a point ``tip`` that did not move when a section of the tool became longer."""
     start, end = spindle.shaft.reach
     behind = spindle.points.get("tip", start) - start
     if NEAR < behind < end - start - NEAR:
@@ -162,7 +162,7 @@ def _tip(spindle: Spindle) -> Iterator[str]:
 
 
 def _bores(spindle: Spindle) -> Iterator[str]:
-    """Bearings on a shaft of another diameter, as of a radius that was given for it."""
+    """Warn of bearings on a shaft of another diameter, as of a radius given for it."""
     for seat in spindle.seats:
         bore = _size(seat, "bore_diameter")
         under = spindle.shaft.diameters_at(seat.x)[0]
@@ -174,8 +174,8 @@ def _bores(spindle: Spindle) -> Iterator[str]:
 
 
 def _overlapping(spindle: Spindle) -> Iterator[str]:
-    row = sorted(spindle.seats, key=lambda seat: seat.x)
-    for front, rear in pairwise(row):
+    seats = sorted(spindle.seats, key=lambda seat: seat.x)
+    for front, rear in pairwise(seats):
         widths = [size for seat in (front, rear) if (size := _size(seat, "width"))]
         rings = len(widths) == 2
         balls = [front.bearing.ball_diameter, rear.bearing.ball_diameter]
@@ -189,9 +189,9 @@ def _overlapping(spindle: Spindle) -> Iterator[str]:
 
 
 def _size(seat: BearingSeat, key: str) -> float | None:
-    """Of its rings [m], as far as it is known."""
-    given = [getattr(body, key) for body in (seat.fits, seat.flexible_rings) if body is not None]
-    return next(filter(None, given), seat.sizes.get(key))
+    """Return a size of the rings of a seat [m], None where unknown."""
+    sizes = [getattr(body, key) for body in (seat.fits, seat.flexible_rings) if body is not None]
+    return next(filter(None, sizes), seat.sizes.get(key))
 
 
 def _arrangement(spindle: Spindle) -> Iterator[str]:
@@ -205,8 +205,8 @@ def _arrangement(spindle: Spindle) -> Iterator[str]:
         )
 
 
-def _slow(top: float) -> Iterator[str]:
-    """Speeds a thousand times too low, as of a point that was meant to part thousands."""
+def _low_speed(top: float) -> Iterator[str]:
+    """Warn of speeds a thousand times too low, as of a point meant to separate thousands."""
     if 0.0 < top * RPM < SLOW:
         yield (
             f"the highest speed is {top * RPM:.4g} rpm: check it; a point parts decimals, not "
@@ -223,20 +223,20 @@ def _speed_factors(spindle: Spindle, top: float) -> Iterator[str]:
                 f"{top * RPM:.0f} rpm is beyond {FASTEST / 1e6:.2g} million, which no grease or "
                 "oil-air lubricated spindle bearing reaches: check speed and diameters"
             )
-    grown = [seat for seat in spindle.seats if _grows_unsaid(seat, top)]
-    if grown:
-        names = ", ".join(seat.name for seat in grown)
-        most = max(_free_growth(seat, top) for seat in grown)
+    growing = [seat for seat in spindle.seats if _growth_missing(seat, top)]
+    if growing:
+        names = ", ".join(seat.name for seat in growing)
+        largest = max(_free_growth(seat, top) for seat in growing)
         yield (
             f"bearings {names}: no centrifugal ring growth is given above n·dm "
             f"{GROWING / 1e6:g} million mm/min, where a steel ring by itself grows by up to "
-            f"{most * 1e6:.2g} µm on the radius at {top * RPM:.0f} rpm, and contact angles and "
+            f"{largest * 1e6:.2g} µm on the radius at {top * RPM:.0f} rpm, and contact angles and "
             "preload follow: give growth.centrifugal or a fit"
         )
 
 
 def _thin_walls(spindle: Spindle) -> Iterator[str]:
-    """Rings taken as rigid on a shaft or in a housing that becomes oval under them."""
+    """Warn of rings taken as rigid on a shaft or in a housing that becomes oval under them."""
     thin = [
         f"{seat.name} ({wall * 1e3:.3g} mm of {what})"
         for seat in spindle.seats
@@ -253,11 +253,11 @@ def _thin_walls(spindle: Spindle) -> Iterator[str]:
 
 
 def _common_walls(spindle: Spindle) -> Iterator[str]:
-    """Rings side by side that deform one thin wall, of which each has its own here: they differ,
+    """Warn of adjacent rings on one thin wall, each computed with a wall of its own: they differ,
     or are taken apart."""
-    row = sorted(spindle.seats, key=lambda seat: seat.x)
+    seats = sorted(spindle.seats, key=lambda seat: seat.x)
     common = []
-    for one, other in pairwise(row):
+    for one, other in pairwise(seats):
         pair = [spindle.mounted(seat).rings for seat in (one, other)]
         for which, what in (("inner", "shaft"), ("outer", "housing or sleeve")):
             near, far = (getattr(each, which, None) for each in pair)
@@ -276,7 +276,7 @@ def _common_walls(spindle: Spindle) -> Iterator[str]:
 
 
 def _side_by_side(spindle: Spindle, one: BearingSeat, other: BearingSeat, which: str) -> bool:
-    """Whether rings have less than half a width between them, outer ones in the same sleeve."""
+    """Return whether rings are less than half a width apart, outer ones in the same sleeve."""
     near = abs(other.x - one.x) < 0.75 * sum(_size(seat, "width") or 0.0 for seat in (one, other))
     return near and (
         which == "inner" or spindle.sleeve_of(one.name) == spindle.sleeve_of(other.name)
@@ -284,7 +284,7 @@ def _side_by_side(spindle: Spindle, one: BearingSeat, other: BearingSeat, which:
 
 
 def _loose_rings(spindle: Spindle) -> Iterator[str]:
-    """Rings that deform as one body with what they sit in, though there is play between them."""
+    """Warn of rings that deform as one body with their seat, although there is clearance."""
     loose = [
         f"{seat.name} ({-2e6 * fits.depth('outer'):.2g} µm)"
         for seat in spindle.seats
@@ -303,7 +303,7 @@ def _loose_rings(spindle: Spindle) -> Iterator[str]:
 
 
 def _walls(spindle: Spindle, seat: BearingSeat) -> Iterator[tuple[str, float, float]]:
-    """What the rings of a seat sit on, how thick it is [m] and their diameter, as far as known."""
+    """Yield, as far as known, what the rings of a seat sit on, its wall and their diameter [m]."""
     fits, bore = seat.fits, _size(seat, "bore_diameter")
     if bore is not None:
         yield "shaft", 0.5 * (bore - spindle.shaft.diameters_at(seat.x)[1]), bore
@@ -312,13 +312,13 @@ def _walls(spindle: Spindle, seat: BearingSeat) -> Iterator[tuple[str, float, fl
         yield "housing", 0.5 * (fits.housing_diameter - outside), outside
 
 
-def _grows_unsaid(seat: BearingSeat, top: float) -> bool:
+def _growth_missing(seat: BearingSeat, top: float) -> bool:
     fast = top * RPM * seat.bearing.pitch_diameter * 1e3 > GROWING
-    known = seat.growth.centrifugal is not None or (seat.fits is not None and seat.fits.shaft)
-    return fast and not known
+    specified = seat.growth.centrifugal is not None or (seat.fits is not None and seat.fits.shaft)
+    return fast and not specified
 
 
 def _free_growth(seat: BearingSeat, top: float) -> float:
-    """ρ Ω² r³ / E of a thin ring with the radius of the inner raceway [m]."""
+    """Return ρ Ω² r³ / E of a thin ring with the radius of the inner raceway [m]."""
     material = seat.bearing.ring_material
     return material.density * top**2 * seat.bearing.inner_raceway_radius**3 / material.young_modulus

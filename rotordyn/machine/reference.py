@@ -1,4 +1,4 @@
-"""Published and measured figures that travel with a machine, shown beside the computed."""
+"""Published and measured values of a machine, shown beside the computed ones."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ KINDS = ("published", "measured")
 class Reference(Description):
     """A series of known values over speed; in files one speed serves all values.
 
-    ``speeds`` [rad/s] and ``values`` [SI] are of one length. ``conditions``: words of the model
-    that it was found with, such as ``{"rotor": "rigid"}``.
+    ``speeds`` [rad/s] and ``values`` [SI] are of one length. ``conditions``: those of the model
+    that gives them, such as ``{"rotor": "rigid"}``.
     """
 
     quantity: Annotated[str, Choice(tuple(QUANTITIES)), "what is known"]

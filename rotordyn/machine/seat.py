@@ -36,13 +36,13 @@ THRUST = Words((("+x", 1), ("-x", -1)), silent=0)
 class BearingSeat(Description):
     """A bearing on the shaft.
 
-    ``thrust``: of a kind that takes thrust both ways it says along which its axial load is
-    positive, and which way a spring of its sleeve loads it; 0 stands for +1 there. What is assumed
-    of its balls is that of the conditions of the case unless given here; friction ``none`` or
-    infinite: no limit. Damping [N·s/m] acts between its rings; tilt is not damped.
-    ``own``: keys that it gives itself of those a spindle gives for all bearings; ``sizes``: of its
-    rings, as its model gives them, for fits [m]; ``by_set``: its thrust is that which its set says;
-    ``preloads``: of a pair by the classes of its maker, light, medium, heavy [N].
+    ``thrust``: for a kind that takes thrust in both directions, the direction of positive axial
+    load and of the load by a spring of its sleeve; 0 means +1 there. The ball model is that of the
+    conditions of the case unless given here; friction ``none`` or infinite: no limit. Damping
+    [N·s/m] acts between its rings; tilt is not damped. ``own``: keys given here among those that a
+    spindle gives for all bearings; ``sizes``: of its rings, from its model, for fits [m];
+    ``by_set``: its set gives the thrust; ``preloads``: of a pair by the classes of its maker,
+    light, medium, heavy [N].
     """
 
     name: Annotated[Name, "of this bearing"]
@@ -99,7 +99,7 @@ class BearingSeat(Description):
         return given if isinstance(given, BallBearing) else None
 
     def law(self, common: Law) -> Law:
-        """What is assumed of its balls: its own where given, the rest in ``common``."""
+        """Return the hypotheses on its balls: those given here, the rest as in ``common``."""
         friction = common.friction
         if self.friction is not None:
             friction = None if math.isinf(self.friction) else self.friction
@@ -141,9 +141,9 @@ class BearingSeat(Description):
         rings: list[tuple[Path, float | None, float | None]] = []
         if fit is not None:
             rings.append((("growth", "fit"), fit.bore_diameter, None))
-        for key, known in (("fits", fits), ("flexible_rings", self.flexible_rings)):
-            if known is not None:
-                rings.append(((key,), known.bore_diameter, known.outside_diameter))
+        for key, body in (("fits", fits), ("flexible_rings", self.flexible_rings)):
+            if body is not None:
+                rings.append(((key,), body.bore_diameter, body.outside_diameter))
         for path, bore, outside in rings:
             for which, size, allowed in no_ring_left(bearing, bore, outside):
                 yield (
@@ -175,8 +175,8 @@ class BearingSeat(Description):
 def no_ring_left(
     bearing: BallBearing, bore: float | None, outside: float | None
 ) -> Iterator[tuple[str, float, str]]:
-    """Of each diameter [m] that leaves no ring beside the balls: ``bore`` or ``outside``, its size,
-    and what is allowed."""
+    """Yield each diameter [m] that leaves no ring beside the balls: ``bore`` or ``outside``, its
+    size, and what is allowed."""
     largest, least = bearing.ring_limits
     if bore is not None and bore >= largest:
         yield "bore", bore, f"below {format_quantity(largest, 'mm')}"

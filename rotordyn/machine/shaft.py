@@ -1,4 +1,4 @@
-"""The turning shaft as a row of cylindrical and conical sections."""
+"""The rotating shaft as a row of cylindrical and conical sections."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class Section(Description):
     """A hollow cylinder, or a cone where diameters at its rear end are given [m].
 
     Diameters are those of the front end, and of the rear end where none are given for it; they
-    change along the axis in straight lines.
+    change linearly along the axis.
     """
 
     length: Annotated[Length, "along the axis"]
@@ -96,12 +96,12 @@ class Shaft(Description):
 
     @cached_property
     def boundaries(self) -> tuple[float, ...]:
-        """Section ends from ``start`` on, one more than there are sections [m]."""
+        """Stations of the section ends from ``start`` on, one more than sections [m]."""
         return tuple(accumulate((s.length for s in self.sections), initial=self.start))
 
     @property
     def end(self) -> float:
-        """Last boundary [m]."""
+        """Station of the rear end [m]."""
         return self.boundaries[-1]
 
     @property
@@ -115,35 +115,35 @@ class Shaft(Description):
         return self.start, self.end
 
     def section_at(self, x: float) -> Section:
-        """The section that covers ``x``; at a step, the one after it."""
+        """Return the section that covers ``x``; at a step, the one behind it."""
         return self.sections_at((x,))[0]
 
     def sections_at(self, stations: Iterable[float]) -> list[Section]:
-        """The same at each of ``stations``."""
-        rights, last = self.boundaries[1:], len(self.sections) - 1
-        return [self.sections[min(bisect_right(rights, x), last)] for x in stations]
+        """Return the section that covers each of ``stations``."""
+        ends, last = self.boundaries[1:], len(self.sections) - 1
+        return [self.sections[min(bisect_right(ends, x), last)] for x in stations]
 
     def diameters_at(self, x: float) -> tuple[float, float]:
-        """Outer and inner diameter at ``x`` [m]; at a step, those of the section after it."""
-        place = min(bisect_right(self.boundaries[1:], x), len(self.sections) - 1)
-        section, left = self.sections[place], self.boundaries[place]
+        """Return outer and inner diameter at ``x`` [m]; at a step, those behind it."""
+        index = min(bisect_right(self.boundaries[1:], x), len(self.sections) - 1)
+        section, left = self.sections[index], self.boundaries[index]
         share = min(max((x - left) / section.length, 0.0), 1.0)
         outer, inner = (a + share * (b - a) for a, b in (section.outer, section.inner))
         return outer, inner
 
     def preceded_by(self, sections: tuple[Section, ...]) -> Shaft:
-        """This shaft with ``sections`` put in front of its start (a tool in the nose)."""
+        """Return this shaft with ``sections`` in front of its start (a tool in the nose)."""
         start = self.start - sum(s.length for s in sections)
         return replace(self, start=start, sections=sections + self.sections)
 
     def without_first(self, count: int) -> Shaft:
-        """This shaft without its first sections, so many."""
+        """Return this shaft without its first ``count`` sections."""
         start = self.start + sum(s.length for s in self.sections[:count])
         return replace(self, start=start, sections=self.sections[count:])
 
 
 def no_wall(inner_diameter: float, outer_diameter: float) -> Faults:
-    """What is wrong with a hollow cylinder of these diameters [m]: nothing, or no wall left."""
+    """Yield a fault where a hollow cylinder of these diameters [m] has no wall."""
     if inner_diameter >= outer_diameter:
         yield (
             ("inner_diameter",),
@@ -153,7 +153,7 @@ def no_wall(inner_diameter: float, outer_diameter: float) -> Faults:
 
 
 def _taper_faults(outer: tuple[float, float], inner: tuple[float, float]) -> Faults:
-    """What is wrong with the diameters [m] at the rear end of a section, or from end to end."""
+    """Yield a fault where rear diameters [m] of a section leave no wall or a too steep cone."""
     if any(math.isnan(diameter) for diameter in (*outer, *inner)):
         return
     wall = (outer[0] - inner[0], outer[1] - inner[1])

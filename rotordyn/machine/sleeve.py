@@ -11,7 +11,7 @@ from rotordyn.machine.ball_guide import BallGuide
 from rotordyn.quantity import Items, Key, Mass, Name, Preload, Rigidity, RingOffset, StopTravel
 
 LEAST_MASS, LEAST_HOLD = 1e-12, 1.0  # [kg], [N/m] of a sleeve: less is lost in rounding
-CONSTANT = 1e-3  # N/m: a force that does not follow the way
+CONSTANT = 1e-3  # N/m: a force independent of displacement
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,14 +33,14 @@ class Spring(Description):
 
     @property
     def words(self) -> str:
-        """What preloads, in a few words."""
+        """Preload as text."""
         if self.offset is not None:
             return f"offset of {self.offset * 1e6:.4g} µm"
         return f"{self.preload:.6g} N" + " by class" * self.free
 
     @property
     def rate(self) -> str:
-        """How the force follows the way, in a few words."""
+        """Spring rate as text."""
         if self.stiffness <= CONSTANT:
             return "constant"
         return f"{self.stiffness / 1e6:.6g} N/µm" if math.isfinite(self.stiffness) else "rigid"
@@ -57,8 +57,8 @@ class Spring(Description):
 class Sleeve(Description):
     """A sliding sleeve that carries the outer rings of bearings, its spring and its end stop.
 
-    The spring pushes the way that loads the bearings. [m], [kg], [N/m]; infinite: no stop, held
-    rigidly by the housing bore.
+    The spring pushes in the direction that loads the bearings. [m], [kg], [N/m]; infinite: no stop,
+    held rigidly by the housing bore.
     """
 
     name: Annotated[Name, "of the sleeve"]

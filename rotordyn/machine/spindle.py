@@ -31,7 +31,7 @@ from rotordyn.machine.support import GROUND, SPINDLE, LinearSupport
 from rotordyn.machine.tool import Tool
 from rotordyn.quantity import HIDDEN, Key, LossFactor, Name, Station
 
-OF_TOOL = ("masses", "references", "joints")  # lists at the end of which a tool puts its own
+OF_TOOL = ("masses", "references", "joints")  # lists to whose end a tool adds its items
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,63 +87,65 @@ class Spindle(Description):
     motor: Annotated[Motor | None, "what drives it; limits a cut beside chatter"] = None
 
     def __post_init__(self) -> None:
-        own: object = self.arrangement
-        if isinstance(own, BearingSet):
-            sleeve = own.sleeve(self.seats)
-            others = tuple(each for each in self.sleeves if each.name != own.name)
-            made = (*others, sleeve) if sleeve is not None else others
-            object.__setattr__(self, "sleeves", made)
+        bearing_set: object = self.arrangement
+        if isinstance(bearing_set, BearingSet):
+            sleeve = bearing_set.sleeve(self.seats)
+            others = tuple(each for each in self.sleeves if each.name != bearing_set.name)
+            sleeves = (*others, sleeve) if sleeve is not None else others
+            object.__setattr__(self, "sleeves", sleeves)
         Description.__post_init__(self)
 
     def _faults(self) -> Faults:
         return spindle_faults(self)
 
     def mounted(self, seat: BearingSeat) -> BallBearing:
-        """The bearing of a seat, its rings as they deform on this shaft and in the housing.
+        """Return the bearing of a seat, its rings flexible on this shaft and in the housing.
 
         Raises
         ------
         InvalidBearing : rings that are impossible
         """
-        known = seat.flexible_rings
-        if known is None:
+        bodies = seat.flexible_rings
+        if bodies is None:
             return seat.bearing
-        rings = self._rings(seat, known)
-        if known.joins:
+        rings = self._rings(seat, bodies)
+        if bodies.joins:
             rings = together(rings, self._beside(seat))
         return replace(seat.bearing, rings=rings)
 
     def joined(self, one: BearingSeat, other: BearingSeat, which: str) -> bool:
-        """Whether the ``inner`` or ``outer`` rings of two bearings deform one wall together."""
+        """Return whether ``inner`` or ``outer`` rings of two bearings deform one wall together."""
         ring = getattr(self.mounted(one).rings, which, None)
-        return ring is not None and _away(one, other) in [each.distance for each in ring.neighbours]
+        return ring is not None and _distance(one, other) in [
+            each.distance for each in ring.neighbours
+        ]
 
-    def _rings(self, seat: BearingSeat, known: RingBodies) -> FlexibleRings:
+    def _rings(self, seat: BearingSeat, bodies: RingBodies) -> FlexibleRings:
         hole, material = self.shaft.diameters_at(seat.x)[1], self.shaft.section_at(seat.x).material
-        return known.bodies(seat.bearing, hole, material, seat.fits)
+        return bodies.bodies(seat.bearing, hole, material, seat.fits)
 
     def _beside(self, seat: BearingSeat) -> Iterator[Beside]:
-        """Equal bearings with rings that deform besides that of a seat."""
+        """Yield the other bearings with flexible rings equal to that of a seat."""
         low, high = self.shaft.reach
         for other in self.seats:
-            known = other.flexible_rings
-            if other.name == seat.name or known is None or not known.joins:
+            bodies = other.flexible_rings
+            if other.name == seat.name or bodies is None or not bodies.joins:
                 continue
             if other.known_bearing == seat.bearing and low <= other.x <= high:
                 yield Beside(
-                    self._rings(other, known),
-                    Neighbour(_away(seat, other), mirrored=other.thrust != seat.thrust),
+                    self._rings(other, bodies),
+                    Neighbour(_distance(seat, other), mirrored=other.thrust != seat.thrust),
                     self.sleeve_of(other.name) == self.sleeve_of(seat.name),
                 )
 
     @property
     def damped(self) -> bool:
-        """The rotor itself is damped, besides its bearings and supports."""
+        """Whether the rotor itself is damped, apart from its bearings and supports."""
         return any(self.rotor_damping) or bool(self.rayleigh)
 
     @property
     def rubs(self) -> bool:
-        """Whether dry friction holds a sleeve: its state depends on what happened before."""
+        """Whether dry friction holds a sleeve, so that its state depends on the load history."""
         return any(sleeve.friction > 0.0 for sleeve in self.sleeves)
 
     @property
@@ -160,21 +162,21 @@ class Spindle(Description):
         return named
 
     def place(self, at: str | float | Place) -> Place:
-        """Where a point's name, a station [m] on the spindle's shaft or a place is."""
+        """Return the place of a point's name, a station [m] on the spindle's shaft or a place."""
         if isinstance(at, Place):
             return at
         return self.places[at] if isinstance(at, str) else Place(SPINDLE, at)
 
     @property
     def parts(self) -> dict[str, Spindle]:
-        """Every rotor as a spindle of its own, by its name."""
+        """Every rotor as a separate spindle, by its name."""
         return {name: self.part(name) for name in self.ratios}
 
     def part(self, name: str) -> Spindle:
-        """A rotor by itself, as a spindle; the only one of a machine is that machine.
+        """Return a rotor alone, as a spindle; a machine of one rotor itself.
 
-        Of several it has the supports with an end on it, which join it to ground, whatever their
-        other end; housings are left out.
+        One of several keeps the supports with an end on it, whose other end becomes ground;
+        housings are omitted.
         """
         if not self.rotors:
             return self
@@ -184,16 +186,16 @@ class Spindle(Description):
         if name == SPINDLE:
             return replace(self, supports=touching, housings=(), rotors=())
         rotor = next(each for each in self.rotors if each.name == name)
-        own = {f.name: getattr(rotor, f.name) for f in fields(rotor) if f.name != "speed_ratio"}
-        return Spindle(**own, supports=touching)
+        kept = {f.name: getattr(rotor, f.name) for f in fields(rotor) if f.name != "speed_ratio"}
+        return Spindle(**kept, supports=touching)
 
     @property
     def grounded(self) -> Spindle:
-        """The spindle's shaft by itself, with the supports that join it to ground."""
+        """The spindle's shaft alone, with the supports that join it to ground."""
         if not self.rotors:
             return self
-        held = tuple(s for s in self.supports if set(s.ends) == {SPINDLE, GROUND})
-        return replace(self, supports=held, housings=(), rotors=())
+        supports = tuple(s for s in self.supports if set(s.ends) == {SPINDLE, GROUND})
+        return replace(self, supports=supports, housings=(), rotors=())
 
     @property
     def connections(self) -> tuple[BearingSeat | LinearSupport | SqueezeFilmDamper, ...]:
@@ -202,11 +204,11 @@ class Spindle(Description):
 
     @property
     def hysteretic(self) -> bool:
-        """Something has a loss factor."""
+        """Whether the rotor or a support has a loss factor."""
         return self.loss_factor > 0.0 or any(s.loss_factor for s in self.supports)
 
     def _repr_html_(self) -> str:
-        """Its parts in a table, which notebooks show."""
+        """Return a table of the parts, which notebooks show."""
         from rotordyn.machine.parts import HEAD, part_rows
         from rotordyn.markup import table
 
@@ -214,14 +216,14 @@ class Spindle(Description):
 
     @property
     def lumped(self) -> tuple[PointMass, ...]:
-        """Point masses and discs, all as point masses."""
+        """Point masses, with discs as point masses."""
         return self.masses + tuple(disc.as_point_mass() for disc in self.discs)
 
     @property
     def pairings(self) -> tuple[tuple[str, str, str], ...]:
-        """Neighbours of opposite thrust from front to rear: (front, rear, "O" or "X").
+        """Adjacent bearings of opposite thrust from front to rear: (front, rear, "O" or "X").
 
-        Only between bearings that take thrust one way.
+        Bearings that take thrust in both directions form no pair.
 
         "O" (back to back): the contact lines meet the axis outside the pair, so that tilt is held
         with a long base; "X" (face to face): inside.
@@ -235,11 +237,11 @@ class Spindle(Description):
         )
 
     def sleeve_of(self, seat_name: str) -> Sleeve | None:
-        """The sleeve that carries a bearing's outer ring, or None where the housing does."""
+        """Return the sleeve that carries a bearing's outer ring, or None where the housing does."""
         return next((s for s in self.sleeves if seat_name in s.bearings), None)
 
     def with_tool(self, tool: Tool) -> Spindle:
-        """This spindle with ``tool`` put in front of its shaft.
+        """Return this spindle with ``tool`` in front of its shaft.
 
         Raises
         ------
@@ -255,11 +257,11 @@ class Spindle(Description):
         )
 
     def without_tool(self, tool: Tool) -> Spindle:
-        """This spindle without the ``tool`` that was put in front of its shaft.
+        """Return this spindle without the ``tool`` in front of its shaft.
 
         Raises
         ------
-        InvalidInput : what is in front of its shaft is another one
+        InvalidInput : another tool is in front of its shaft
         """
         first = len(tool.sections)
         last = {name: len(getattr(self, name)) - len(getattr(tool, name)) for name in OF_TOOL}
@@ -280,6 +282,6 @@ class Spindle(Description):
         )
 
 
-def _away(one: BearingSeat, other: BearingSeat) -> float:
-    """From one bearing to another towards +x of the one [m], alike for pairs as far apart."""
-    return one.thrust * round(other.x - one.x, 9)  # stations add up from the tip of the tool
+def _distance(one: BearingSeat, other: BearingSeat) -> float:
+    """Return the distance from one bearing to another, along the thrust of the first [m]."""
+    return one.thrust * round(other.x - one.x, 9)  # stations add up from the tool tip with rounding

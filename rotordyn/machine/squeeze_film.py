@@ -38,7 +38,7 @@ class SqueezeFilmDamper(Description):
 
     @property
     def stiff(self) -> bool:
-        """Whether it has a stiffness, which is in proportion to the speed of whirl."""
+        """Whether it has a stiffness, which is in proportion to the whirl speed."""
         return self.film == "cavitated" and self.eccentricity_ratio > 0.0
 
     def _faults(self) -> Faults:

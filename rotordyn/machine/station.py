@@ -1,4 +1,4 @@
-"""What sits on a shaft: stations on it, names once, joints between two parts."""
+"""Parts on a shaft: stations within it, unique names, joints between two parts."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from rotordyn.machine.shaft import Shaft
 from rotordyn.units import format_quantity
 
 Reach = tuple[float, float]
-SLACK = 1e-9  # [m] by which a station may lie beside the shaft
+SLACK = 1e-9  # [m] by which a station may lie off the shaft
 PART = 1e-6  # of a shaft: its shortest part between joints
 
 
 def on_the_shaft(what: str, x: float, reach: Reach, path: Path, holder: str = "shaft") -> Faults:
-    """A fault where station ``x`` [m], given at ``path``, does not lie on a shaft, or on another
+    """Yield a fault where station ``x`` [m], given at ``path``, is off a shaft, or another
     ``holder``, of that reach, if that is known."""
     if all(map(known, reach)) and (x < reach[0] - SLACK or x > reach[1] + SLACK):
         ends = " to ".join(format_quantity(end, "mm") for end in reach)
@@ -27,21 +27,21 @@ def on_the_shaft(what: str, x: float, reach: Reach, path: Path, holder: str = "s
 def all_on_the_shaft(
     what: str, key: str, items: Sequence[Any], reach: Reach, holder: str = "shaft"
 ) -> Faults:
-    """The same of every item of the list ``key``, by its station."""
+    """Yield a fault for every item of the list ``key`` whose station is off the shaft."""
     for index, item in enumerate(items):
         yield from on_the_shaft(what, item.x, reach, (key, index, "x"), holder)
 
 
 def least_part(start: float, end: float) -> float:
-    """The shortest part of a shaft [m] between two joints, or a joint and its end: what is lighter
-    than that gives its motions no digits."""
+    """Return the shortest part of a shaft [m] between joints, or a joint and an end: a lighter one
+    has motions without significant digits."""
     return max(SLACK, PART * (end - start))
 
 
 def turning_faults(
     shaft: Shaft, masses: Sequence[PointMass], discs: Sequence[Disc], joints: Sequence[Joint]
 ) -> Faults:
-    """Faults of what turns with a shaft: each on it, and called by a name of its own."""
+    """Yield faults of what turns with a shaft: each part on it, names unique."""
     reach = shaft.reach
     yield from named_twice("masses", masses)
     yield from named_twice("discs", discs)
@@ -55,23 +55,24 @@ def turning_faults(
 
 
 def _parts(reach: Reach, joints: Sequence[Joint]) -> Faults:
-    """Joints that bear one name, or join no two parts of some length."""
+    """Yield faults of joints: one name for several, or no part of sufficient length between
+    them."""
     yield from named_twice("joints", joints)
     if not all(map(known, reach)):
         return
     (start, end), least = reach, least_part(*reach)
     for index, joint in enumerate(joints):
-        way = ("joints", index, "x")
+        path = ("joints", index, "x")
         if joint.x <= start + least or joint.x >= end - least:
             between = " and ".join(format_quantity(x, "mm") for x in reach)
-            yield way, f"joins no two parts: given {{given}}; allowed: between {between}"
+            yield path, f"joins no two parts: given {{given}}; allowed: between {between}"
         for other in joints[:index]:
-            apart = abs(joint.x - other.x)
-            if apart <= SLACK:
-                yield way, f"joint '{other.name}' is at the same station"
-            elif apart < least:
+            gap = abs(joint.x - other.x)
+            if gap <= SLACK:
+                yield path, f"joint '{other.name}' is at the same station"
+            elif gap < least:
                 yield (
-                    way,
-                    f"too short a part of the shaft to joint '{other.name}': given {apart:.3g} m; "
+                    path,
+                    f"too short a part of the shaft to joint '{other.name}': given {gap:.3g} m; "
                     f"allowed: from {least:.3g} m, {PART:g} of the shaft; make them one",
                 )

@@ -1,4 +1,4 @@
-"""Linear supports: what holds the shaft by matrices, constant or over speed."""
+"""Linear supports of the shaft: matrices, constant or over speed."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ from rotordyn.machine.matrix import (
 )
 from rotordyn.quantity import Choice, LossFactor, Name, Speed, Station
 
-SPINDLE, GROUND = "spindle", "ground"  # ends of a support that are no further rotor
-# The motions that a straight rotor keeps apart, by the DOF of its nodes.
+SPINDLE, GROUND = "spindle", "ground"  # ends of a support other than further rotors
+# Motions that are uncoupled in a straight rotor, by the DOF of its nodes.
 MOTIONS = {
     "x": "axial",
     "y": "bending",
@@ -31,10 +31,10 @@ MOTIONS = {
     "thy": "bending",
     "thz": "bending",
 }
-BEYOND = ("refuse", "hold")  # what becomes of a speed that a table does not reach
+BEYOND = ("refuse", "hold")  # treatment of a speed outside a table
 TABLED = ("y", "z", "thy", "thz")  # DOF whose entries may follow the speed
 RPM = math.pi / 30.0
-SLACK = 1e-9  # of the highest speed of a table, by which a speed may lie beside it
+SLACK = 1e-9  # of the highest speed of a table, by which a speed may lie outside it
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +43,7 @@ class LinearSupport(Description):
 
     Matrices [N/m, N/rad …] are of the fixed frame, whatever turns, by pairs of DOF (load,
     displacement) such as ``("y", "thz")``; entries not named are zero. An entry among y, z, thy and
-    thz may be a list, one value at each of ``speeds``, straight lines in between. DOF in
+    thz may be a list, one value at each of ``speeds``, linear in between. DOF in
     ``rigid`` do not move at all and have no stiffness.
     """
 
@@ -118,7 +118,7 @@ class LinearSupport(Description):
 
     @property
     def ends(self) -> tuple[str, str]:
-        """What it joins: a rotor, and a rotor or ground."""
+        """Its two ends: a rotor, and a rotor or ground."""
         return self.holds, self.against
 
     @property
@@ -129,12 +129,12 @@ class LinearSupport(Description):
 
     @property
     def pushes_away(self) -> bool:
-        """Somewhere it has a negative stiffness, as the field of a motor has."""
-        given = (value for (row, column), value in self.stiffness.items() if row == column)
-        return any(min(each if isinstance(each, tuple) else (each,)) < 0.0 for each in given)
+        """Whether a diagonal stiffness is negative at some speed, as of the field of a motor."""
+        diagonal = (value for (row, column), value in self.stiffness.items() if row == column)
+        return any(min(each if isinstance(each, tuple) else (each,)) < 0.0 for each in diagonal)
 
     def at(self, speed: float) -> LinearSupport:
-        """The support as it is at ``speed`` [rad/s], without a table.
+        """Return the support at ``speed`` [rad/s], without a table.
 
         Raises
         ------
@@ -151,7 +151,7 @@ class LinearSupport(Description):
         return replace(self, stiffness=stiffness, damping=damping, speeds=(), beyond="refuse")
 
     def unknown_at(self, speeds: Iterable[float]) -> Iterator[str]:
-        """A sentence where the first of ``speeds`` [rad/s] lies that its table does not know."""
+        """Yield a sentence with the first of ``speeds`` [rad/s] outside its table."""
         for speed in beside(self.speeds, speeds)[:1] if self.beyond == "refuse" else ():
             yield (
                 f"support '{self.name}' is not known at that speed: given "
@@ -160,14 +160,16 @@ class LinearSupport(Description):
             )
 
     def held_at(self, speeds: Iterable[float]) -> Iterator[str]:
-        """A sentence about those of ``speeds`` [rad/s] at which an end of its table is held."""
-        held = beside(self.speeds, speeds) if self.beyond == "hold" else []
+        """Yield a sentence on those of ``speeds`` [rad/s] at which an end of its table is held."""
+        outside = beside(self.speeds, speeds) if self.beyond == "hold" else []
         for end, end_speeds in (
-            (self.speeds[:1], [speed for speed in held if speed < self.speeds[0]]),
-            (self.speeds[-1:], [speed for speed in held if speed > self.speeds[-1]]),
+            (self.speeds[:1], [speed for speed in outside if speed < self.speeds[0]]),
+            (self.speeds[-1:], [speed for speed in outside if speed > self.speeds[-1]]),
         ):
             if end_speeds:
-                low, high = (f"{each / RPM:.6g} rpm" for each in (min(end_speeds), max(end_speeds)))
+                low, high = (
+                    f"{limit / RPM:.6g} rpm" for limit in (min(end_speeds), max(end_speeds))
+                )
                 at = low if low == high else f"{low} to {high}"
                 yield (
                     f"support '{self.name}' is held beyond its table as at {end[0] / RPM:.6g} rpm, "
@@ -176,12 +178,12 @@ class LinearSupport(Description):
 
     @property
     def sideways(self) -> tuple[tuple[str, str], ...]:
-        """Entries of ``stiffness`` that turn a displacement along x into other loads."""
+        """Entries of ``stiffness`` that couple a displacement along x to other loads."""
         return tuple(pair for pair in self._stiff if pair[1] == "x" and pair[0] != "x")
 
     @property
     def out_of_plane(self) -> tuple[tuple[str, str], ...]:
-        """Entries of ``stiffness`` that couple plane y, the axis and all else to one another."""
+        """Entries of ``stiffness`` that couple plane y, the axis and all else to each other."""
         part = {"y": "plane", "thz": "plane", "x": "axis"}
         return tuple(pair for pair in self._stiff if part.get(pair[0]) != part.get(pair[1]))
 
@@ -191,8 +193,7 @@ class LinearSupport(Description):
 
 
 def beside(table: Sequence[float], speeds: Iterable[float]) -> list[float]:
-    """Those of ``speeds`` that a table over ascending speeds [rad/s], if there is one, does not
-    reach."""
+    """Return those of ``speeds`` [rad/s] outside an ascending table; none without a table."""
     if not table:
         return []
     low, high = table[0] - SLACK * table[-1], table[-1] + SLACK * table[-1]
@@ -200,7 +201,7 @@ def beside(table: Sequence[float], speeds: Iterable[float]) -> list[float]:
 
 
 def _between(speeds: tuple[float, ...], value: Value, speed: float) -> float:
-    """Of a table, linear between its speeds; beside it, its end."""
+    """Interpolate a table linearly over its speeds; beyond them, return its end."""
     import numpy as np
 
     if not isinstance(value, tuple):
@@ -209,7 +210,7 @@ def _between(speeds: tuple[float, ...], value: Value, speed: float) -> float:
 
 
 def coupled_motions(supports: Iterable[LinearSupport]) -> frozenset[str]:
-    """Those of ``"bending"``, ``"axial"`` and ``"torsion"`` that supports couple to another one."""
+    """Return those of ``"bending"``, ``"axial"``, ``"torsion"`` that supports couple to others."""
     pairs = (
         (MOTIONS[row], MOTIONS[column])
         for support in supports

@@ -23,7 +23,7 @@ OF_BEARING = ("inner_ring", "outer_ring", "balls")
 
 
 class Rises(NamedTuple):
-    """Above the reference temperature at every speed (speeds,) [K]."""
+    """Temperature rises above the reference at every speed (speeds,) [K]."""
 
     shaft: Array
     housing: Array
@@ -43,9 +43,9 @@ class BearingTemperatures(Description):
 
 @dataclass(frozen=True, slots=True)
 class Temperatures(Description):
-    """Temperatures [°C], each one value or a list over ``speeds``, straight lines in between.
+    """Temperatures [°C], each one value or a list over ``speeds``, linear in between.
 
-    Rings take the temperature of what they sit on unless given, balls the mean of both rings.
+    Rings take the temperature of their seats unless given, balls the mean of both rings.
     """
 
     shaft: Annotated[Values | None, "of the shaft; by default the reference"] = None
@@ -76,11 +76,11 @@ class Temperatures(Description):
                 "temperatures without a place: give shaft, housing, inner_rings, outer_rings, "
                 "balls or bearings",
             )
-        tables = [(way, value) for way, value in entries if isinstance(value, tuple)]
-        for way, value in tables:
+        tables = [(path, value) for path, value in entries if isinstance(value, tuple)]
+        for path, value in tables:
             if len(value) != len(self.speeds):
                 yield (
-                    way,
+                    path,
                     f"needs one value for each of speeds: given {len(value)} values for "
                     f"{len(self.speeds)} speeds",
                 )
@@ -88,15 +88,15 @@ class Temperatures(Description):
             yield ("speeds",), "speeds without a table: no temperature has a list of values"
 
     def turning_warmer(self, difference: float) -> Temperatures:
-        """With shaft, inner rings and balls warmer by ``difference`` [K]."""
+        """Return temperatures with shaft, inner rings and balls warmer by ``difference`` [K]."""
         shaft = self.reference if self.shaft is None else self.shaft
         bearings = {
             name: replace(
-                each,
-                inner_ring=_warmer(each.inner_ring, difference),
-                balls=_warmer(each.balls, difference),
+                bearing,
+                inner_ring=_warmer(bearing.inner_ring, difference),
+                balls=_warmer(bearing.balls, difference),
             )
-            for name, each in self.bearings.items()
+            for name, bearing in self.bearings.items()
         }
         return replace(
             self,
@@ -107,25 +107,25 @@ class Temperatures(Description):
         )
 
     def unknown_at(self, speeds: tuple[float, ...]) -> float | None:
-        """The first of ``speeds`` [rad/s] that a table does not reach, if any."""
+        """Return the first of ``speeds`` [rad/s] outside a table, if any."""
         return next(iter(beside(self.speeds, speeds)), None)
 
     def rises(self, name: str, speed: Array) -> Rises:
-        """Of a bearing and what it sits on at every ``speed`` (speeds,) [rad/s]."""
+        """Return the rises of a bearing and its seats at every ``speed`` (speeds,) [rad/s]."""
         bearing = self.bearings.get(name, BearingTemperatures())
         shaft, housing = self._rise(speed, self.shaft), self._rise(speed, self.housing)
         inner = self._rise(speed, bearing.inner_ring, self.inner_rings, self.shaft)
         outer = self._rise(speed, bearing.outer_ring, self.outer_rings, self.housing)
-        given = bearing.balls, self.balls
+        ball_values = bearing.balls, self.balls
         mean = 0.5 * (inner + outer)
-        balls = mean if given == (None, None) else self._rise(speed, *given)
+        balls = mean if ball_values == (None, None) else self._rise(speed, *ball_values)
         return Rises(shaft, housing, inner, outer, balls)
 
     def _rise(self, speed: Array, *given: Values | None) -> Array:
-        """By the first that is given; none where nothing is."""
+        """Return the rise by the first value that is given; zero where none is."""
         import numpy as np
 
-        values = next((each for each in given if each is not None), self.reference)
+        values = next((value for value in given if value is not None), self.reference)
         if isinstance(values, tuple):
             return np.interp(speed, self.speeds, values) - self.reference
         return np.full(len(speed), values - self.reference)

@@ -1,4 +1,4 @@
-"""What is clamped into the nose of a spindle."""
+"""The tool in the nose of a spindle."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from rotordyn.quantity import HIDDEN, Diameter, Items, Name, ToolStation
 
 @dataclass(frozen=True, slots=True)
 class Tool(Description):
-    """What is clamped into the nose: sections from its tip to the nose face, turning with it.
+    """A tool clamped into the nose: sections from its tip to the nose face, turning with it.
 
     ``points`` and ``masses`` are in spindle coordinates: x = 0 at the nose face, the tip negative;
     a point at infinity is its front end, however long the sections are.
@@ -47,7 +47,8 @@ class Tool(Description):
         yield from named_twice("joints", self.joints)
 
     def faults_in(self, nose: float, points: Iterable[str]) -> Faults:
-        """What does not lie on it in front of the ``nose`` [m], or is called as ``points`` are."""
+        """Yield faults of what is off the tool in front of the ``nose`` [m], or named as in
+        ``points``."""
         reach = self.front(nose), nose
         for name, x in self.placed(nose).items():
             yield from on_the_shaft("point", x, reach, ("points", name), "tool")
@@ -57,10 +58,10 @@ class Tool(Description):
                 yield ("points", name), "name already taken by a point of the spindle"
 
     def placed(self, nose: float) -> dict[str, float]:
-        """Stations of its points in front of the ``nose`` [m]."""
+        """Return the stations of its points in front of the ``nose`` [m]."""
         front = self.front(nose)
         return {name: front if math.isinf(x) else x for name, x in self.points.items()}
 
     def front(self, nose: float) -> float:
-        """Station of its front end [m]."""
+        """Return the station of its front end [m]."""
         return nose - sum(section.length for section in self.sections)

@@ -1,4 +1,4 @@
-"""Static loads of the conditions across the axis, and where they act."""
+"""Static loads of the conditions across the axis, and their places."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from rotordyn.scene.conditions import Conditions
 
 
 def with_stations(spindle: Spindle, places: Iterable[str | float]) -> Spindle:
-    """With a named point at every station [m] among ``places`` that has none, so that nodes and
-    static answers are there."""
-    free = (name for k in count(1) if (name := f"station {k}") not in spindle.points)
-    known = {at for at in places if not isinstance(at, str)} - set(spindle.points.values())
-    points = {next(free): x for x in sorted(known)}
+    """Add a named point at every station [m] among ``places`` that has none, so that nodes and
+    static results are there."""
+    free_names = (name for k in count(1) if (name := f"station {k}") not in spindle.points)
+    unnamed = {at for at in places if not isinstance(at, str)} - set(spindle.points.values())
+    points = {next(free_names): x for x in sorted(unnamed)}
     return replace(spindle, points={**spindle.points, **points}) if points else spindle
 
 
 def across(spindle: Spindle, conditions: Conditions) -> Across:
-    """What acts across the axis by the conditions."""
+    """Return the loads across the axis under the conditions."""
     loads = [(spindle.place(load.at), np.array(load.on_axis)) for load in conditions.loads]
     return Across(tuple(loads), conditions.pull[1:])

@@ -1,4 +1,4 @@
-"""How a machine is modelled, against the machine: what holds it, what its frame allows."""
+"""Rules between a machine and its conditions: what holds it, what its frame allows."""
 
 from __future__ import annotations
 
@@ -26,28 +26,28 @@ FORMULATION = ("conditions", "formulation")
 
 
 def setting_faults(setting: Setting) -> Faults:
-    """Faults between machine, conditions and speeds, by path in the case."""
+    """Yield faults between machine, conditions and speeds, by path in the case."""
     spindle, conditions = setting.spindle, setting.conditions
-    yield from _surface_speed(setting)
-    yield from _on_its_shaft(spindle)
-    yield from _elements(spindle, conditions)
+    yield from _surface_speed_faults(setting)
+    yield from _shaft_faults(spindle)
+    yield from _element_faults(spindle, conditions)
     if spindle.rotors:
-        yield from _with_rotors(spindle, conditions)
+        yield from _rotor_faults(spindle, conditions)
     if conditions.formulation == ROTATING:
         for support in spindle.supports:
-            yield from _even(support)
-    yield from _held_along(spindle, conditions)
-    yield from _loads(setting)
-    yield from _warm(setting)
-    yield from _tables(spindle, setting.speeds)
-    yield from _on_housings(spindle, conditions)
-    yield from _parted(spindle, conditions)
+            yield from _isotropy_faults(support)
+    yield from _axial_restraint_faults(spindle, conditions)
+    yield from _load_faults(setting)
+    yield from _temperature_faults(setting)
+    yield from _table_faults(spindle, setting.speeds)
+    yield from _housing_faults(spindle, conditions)
+    yield from _joint_faults(spindle, conditions)
     if spindle.seats:
-        yield from _sideways(setting)
+        yield from _coupling_faults(setting)
 
 
 def last_setting_faults(setting: Setting) -> Faults:
-    """The same, where it takes a computation and all else must be right."""
+    """Yield faults that only a computation shows; all other rules must hold already."""
     spindle = setting.spindle
     for index, seat in enumerate(spindle.seats):
         if seat.fits is None:
@@ -63,20 +63,20 @@ def last_setting_faults(setting: Setting) -> Faults:
             )
 
 
-def _surface_speed(setting: Setting) -> Faults:
-    """A speed that no bearing reaches: rpm given where rad/s are meant."""
-    asked: dict[Path, float] = {("speeds", k): speed for k, speed in enumerate(setting.speeds)}
+def _surface_speed_faults(setting: Setting) -> Faults:
+    """Yield a fault where n·dm is beyond any bearing, as when a number in rpm is given as rad/s."""
+    speed_at: dict[Path, float] = {("speeds", k): speed for k, speed in enumerate(setting.speeds)}
     for k, step in enumerate(setting.conditions.history):
-        asked[("conditions", "history", k, "speed")] = step.speed or 0.0
-    if not asked:
+        speed_at[("conditions", "history", k, "speed")] = step.speed or 0.0
+    if not speed_at:
         return
-    way, top = max(asked.items(), key=lambda one: one[1])
+    path, top = max(speed_at.items(), key=lambda item: item[1])
     for seat in setting.spindle.seats:
         bearing: object = seat.bearing
         if isinstance(bearing, BallBearing) and top * bearing.pitch_diameter > FASTEST:
             product = top / RPM * bearing.pitch_diameter / 1e3
             yield (
-                way,
+                path,
                 f"n·dm of bearing {seat.name} is {product:.3g}·10⁶ "
                 f"mm/min: given {top / RPM:.6g} rpm; allowed: up to "
                 f"{FASTEST / RPM / 1e3:.3g}·10⁶ mm/min (did you mean {top:.6g} rpm = "
@@ -85,16 +85,16 @@ def _surface_speed(setting: Setting) -> Faults:
             return
 
 
-def _on_its_shaft(spindle: Spindle) -> Faults:
+def _shaft_faults(spindle: Spindle) -> Faults:
     reach = spindle.shaft.reach
     for name, x in spindle.points.items():
         yield from on_the_shaft("point", x, reach, ("spindle", "points", name))
     supports = [support for support in spindle.supports if SPINDLE in support.ends]
-    held = {
+    restrained = {
         pair for support in supports for pair, value in support.stiffness.items() if acts(value)
     }
-    held |= {(dof, dof) for support in supports for dof in support.rigid}
-    free = [dof * 2 for dof in ("y", "z") if (dof, dof) not in held]
+    restrained |= {(dof, dof) for support in supports for dof in support.rigid}
+    free = [dof * 2 for dof in ("y", "z") if (dof, dof) not in restrained]
     if free and not spindle.seats and "" not in {support.name for support in spindle.supports}:
         yield (
             ("spindle", "supports"),
@@ -103,8 +103,8 @@ def _on_its_shaft(spindle: Spindle) -> Faults:
         )
 
 
-def _elements(spindle: Spindle, conditions: Conditions) -> Faults:
-    """Not more elements than a run can solve."""
+def _element_faults(spindle: Spindle, conditions: Conditions) -> Faults:
+    """Yield a fault where there are more than ``MOST_ELEMENTS`` elements."""
     longest = conditions.element_length
     least = (spindle.shaft.end - spindle.shaft.start) / MOST_ELEMENTS
     if longest is not None and longest < least:
@@ -115,98 +115,98 @@ def _elements(spindle: Spindle, conditions: Conditions) -> Faults:
         )
 
 
-def _loads(setting: Setting) -> Faults:
-    """Static loads act on the state of bearings, at places on the shaft."""
+def _load_faults(setting: Setting) -> Faults:
+    """Yield faults of static loads: they need bearings, and places on the shaft."""
     spindle, conditions = setting.spindle, setting.conditions
-    way = ("conditions", "loads")
+    path = ("conditions", "loads")
     for index, load in enumerate(conditions.loads):
-        yield from placed(load.at, spindle, (*way, index, "at"))
+        yield from placed(load.at, spindle, (*path, index, "at"))
         if load.Fx and spindle.rotors:
             yield (
-                (*way, index, "Fx"),
+                (*path, index, "Fx"),
                 "an axial force takes no further rotors, on whose supports it would be shared: "
                 "given {given}; leave it out",
             )
     if conditions.loads and not spindle.seats:
         yield (
-            way,
+            path,
             "loads of the conditions act on the state of bearings, and this spindle has none: "
             "linear supports do not follow them; give the loads to section_forces",
         )
     if setting.loaded and conditions.formulation == ROTATING:
-        under = "under static loads (loads, weight, misaligned seats)"
-        yield _unturned(f"{under} bearings differ between directions")
+        cause = "under static loads (loads, weight, misaligned seats)"
+        yield _no_rotating_frame(f"{cause} bearings differ between directions")
 
 
-def _warm(setting: Setting) -> Faults:
-    """Temperatures act on bearings that are there, at speeds that their tables reach."""
+def _temperature_faults(setting: Setting) -> Faults:
+    """Yield faults of temperatures: they need bearings, and tables that cover all speeds."""
     spindle, conditions = setting.spindle, setting.conditions
     temperatures = conditions.temperatures
-    yield from _heated(setting)
-    yield from _oiled(setting)
+    yield from _heat_flow_faults(setting)
+    yield from _film_faults(setting)
     if temperatures is None:
         return
-    way = ("conditions", "temperatures")
+    key = ("conditions", "temperatures")
     if not spindle.seats:
-        yield way, "temperatures act on the state of bearings, and this spindle has none: leave out"
+        yield key, "temperatures act on the state of bearings, and this spindle has none: leave out"
     names = [seat.name for seat in spindle.seats]
     for name in temperatures.bearings:
         for sentence in unknown("bearing", name, names):
-            yield (*way, "bearings", name), sentence
-    further: tuple[float, ...] = ()
+            yield (*key, "bearings", name), sentence
+    passed_speeds: tuple[float, ...] = ()
     why = "which the history of its friction passes"
     if spindle.rubs:
-        further = Past(conditions.history).speeds
+        passed_speeds = Past(conditions.history).speeds
     elif conditions.bearings == "static":
-        further, why = (0.0,), "at which bearings stay"
-    beyond = temperatures.unknown_at((*setting.speeds, *further))
-    if beyond is not None:
-        which = "" if beyond in setting.speeds else f", {why}"
+        passed_speeds, why = (0.0,), "at which bearings stay"
+    uncovered = temperatures.unknown_at((*setting.speeds, *passed_speeds))
+    if uncovered is not None:
+        which = "" if uncovered in setting.speeds else f", {why}"
         ends = " to ".join(
             f"{speed / RPM:.6g}" for speed in (temperatures.speeds[0], temperatures.speeds[-1])
         )
         yield (
-            (*way, "speeds"),
-            f"the table of temperatures does not reach {beyond / RPM:.6g} rpm{which}: given {ends} "
-            "rpm",
+            (*key, "speeds"),
+            f"the table of temperatures does not reach {uncovered / RPM:.6g} rpm{which}: given "
+            f"{ends} rpm",
         )
 
 
-def _heated(setting: Setting) -> Faults:
-    """A heat flow has bearings at speed, and no temperatures beside it."""
-    conditions, way = setting.conditions, ("conditions", "heat_flow")
+def _heat_flow_faults(setting: Setting) -> Faults:
+    """Yield faults of a heat flow: it needs bearings at speed, and excludes temperatures."""
+    conditions, path = setting.conditions, ("conditions", "heat_flow")
     if conditions.heat_flow is None:
         return
     if not setting.spindle.seats:
-        yield way, "heat flows off bearings, and this spindle has none: leave out"
+        yield path, "heat flows off bearings, and this spindle has none: leave out"
     if conditions.temperatures is not None:
-        yield way, "given beside temperatures, which follow from it; allowed: one of the two"
+        yield path, "given beside temperatures, which follow from it; allowed: one of the two"
     if conditions.bearings == "static":
-        yield way, "needs bearings at speed: given conditions.bearings: static"
+        yield path, "needs bearings at speed: given conditions.bearings: static"
 
 
-def _oiled(setting: Setting) -> Faults:
-    """Films are of bearings at speed, their oil of one temperature."""
-    conditions, way = setting.conditions, ("conditions", "films")
+def _film_faults(setting: Setting) -> Faults:
+    """Yield faults of oil films: they need bearings at speed, and exclude a heat flow."""
+    conditions, path = setting.conditions, ("conditions", "films")
     if conditions.films is None:
         return
     if not setting.spindle.seats:
-        yield way, "films carry balls, and this spindle has no bearings: leave out"
+        yield path, "films carry balls, and this spindle has no bearings: leave out"
     if conditions.heat_flow is not None:
-        yield way, "given beside heat_flow; allowed: one of the two"
+        yield path, "given beside heat_flow; allowed: one of the two"
     if conditions.bearings == "static":
-        yield way, "needs bearings at speed: given conditions.bearings: static"
+        yield path, "needs bearings at speed: given conditions.bearings: static"
     if conditions.tangent != "complete":
-        yield way, f"films have the complete tangent alone: given tangent {conditions.tangent}"
+        yield path, f"films have the complete tangent alone: given tangent {conditions.tangent}"
 
 
-def _held_along(spindle: Spindle, conditions: Conditions) -> Faults:
-    """Something carries an axial force and the weight."""
+def _axial_restraint_faults(spindle: Spindle, conditions: Conditions) -> Faults:
+    """Yield a fault where nothing carries the axial force or the weight."""
     if spindle.seats or any(s.along or "x" in s.rigid for s in spindle.supports):
         return
     weighed = bool(conditions.pull[0])
-    for key, given in (("axial_force", abs(conditions.axial_force) > 0.0), ("gravity", weighed)):
-        if given:
+    for key, nonzero in (("axial_force", abs(conditions.axial_force) > 0.0), ("gravity", weighed)):
+        if nonzero:
             yield (
                 ("conditions", key),
                 "nothing holds the shaft along its axis: given {given}; allowed: with bearings, or "
@@ -214,16 +214,16 @@ def _held_along(spindle: Spindle, conditions: Conditions) -> Faults:
             )
 
 
-def _even(support: LinearSupport) -> Faults:
-    """Bearings under axial load are even; supports are where their matrices say so."""
+def _isotropy_faults(support: LinearSupport) -> Faults:
+    """Yield a fault where a support is not isotropic about the axis."""
     what = ""
-    uneven = [p for p in (("y", "z"), ("thy", "thz")) if len({*p} & {*support.rigid}) == 1]
+    one_sided = [p for p in (("y", "z"), ("thy", "thz")) if len({*p} & {*support.rigid}) == 1]
     if "bending" in coupled_motions([support]):
         what = f"support '{support.name}' couples bending with another motion"
-    elif uneven:
-        what = f"support '{support.name}' holds only one of {' and '.join(uneven[0])} rigidly"
+    elif one_sided:
+        what = f"support '{support.name}' holds only one of {' and '.join(one_sided[0])} rigidly"
     if what:
-        yield _unturned(what)
+        yield _no_rotating_frame(what)
         return
     import numpy as np
 
@@ -232,25 +232,25 @@ def _even(support: LinearSupport) -> Faults:
     speeds = np.array(support.speeds or (0.0,))
     for name in ("stiffness", "damping"):
         entries = getattr(support, name).values()
-        known = not any(isinstance(value, float) and math.isnan(value) for value in entries)
-        if known and not answers_alike(support_matrices(support, name, speeds)):
+        valid = not any(isinstance(value, float) and math.isnan(value) for value in entries)
+        if valid and not answers_alike(support_matrices(support, name, speeds)):
             differs = "differs between directions about the axis"
-            yield _unturned(f"the {name} of support '{support.name}' {differs}")
+            yield _no_rotating_frame(f"the {name} of support '{support.name}' {differs}")
 
 
-def _unturned(what: str) -> tuple[Path, str]:
+def _no_rotating_frame(what: str) -> tuple[Path, str]:
     described = "which a turning frame cannot describe"
     return FORMULATION, f"{what}, {described}: given '{ROTATING}'; allowed: {INERTIAL}"
 
 
-def _tables(spindle: Spindle, speeds: tuple[float, ...]) -> Faults:
+def _table_faults(spindle: Spindle, speeds: tuple[float, ...]) -> Faults:
     for support in spindle.supports:
         for sentence in support.unknown_at(speeds):
             yield ("speeds",), sentence
 
 
-def _on_housings(spindle: Spindle, conditions: Conditions) -> Faults:
-    """A turning frame takes no housings; the static state along the axis is that on ground."""
+def _housing_faults(spindle: Spindle, conditions: Conditions) -> Faults:
+    """Yield faults of housings: none in a rotating frame, none along x under a static state."""
     if spindle.housings and conditions.formulation == ROTATING:
         yield (
             FORMULATION,
@@ -268,15 +268,15 @@ def _on_housings(spindle: Spindle, conditions: Conditions) -> Faults:
             )
 
 
-def _parted(spindle: Spindle, conditions: Conditions) -> Faults:
-    """The preload state is that of one shaft: no joint gives way along between what holds it."""
+def _joint_faults(spindle: Spindle, conditions: Conditions) -> Faults:
+    """Yield a fault where a joint is flexible along x between axial restraints of the shaft."""
     if not spindle.seats or conditions.rotor == "rigid":
         return
     supports = (s for s in spindle.supports if s.ends == (SPINDLE, GROUND))
-    held = [seat.x for seat in spindle.seats]
-    held += [support.x for support in supports if support.along or "x" in support.rigid]
+    fixed = [seat.x for seat in spindle.seats]
+    fixed += [support.x for support in supports if support.along or "x" in support.rigid]
     for index, joint in enumerate(spindle.joints):
-        if math.isfinite(joint.axial) and min(held) <= joint.x < max(held):
+        if math.isfinite(joint.axial) and min(fixed) <= joint.x < max(fixed):
             yield (
                 ("spindle", "joints", index, "axial"),
                 f"joint {joint.name} gives way along x between bearings, or supports that hold the "
@@ -286,13 +286,13 @@ def _parted(spindle: Spindle, conditions: Conditions) -> Faults:
 
 
 def _along(housing: Housing) -> Path:
-    """Where a housing is given its motion along the axis."""
+    """Return the path of the key that lets a housing move along the axis."""
     if isinstance(housing, ReducedHousing):
         return ("model",)
     return ("stiffness", *[entry_name(*pair) for pair in housing.stiffness if "x" in pair][:1])
 
 
-def _with_rotors(spindle: Spindle, conditions: Conditions) -> Faults:
+def _rotor_faults(spindle: Spindle, conditions: Conditions) -> Faults:
     if conditions.formulation not in ("", INERTIAL):
         yield (
             FORMULATION,
@@ -312,13 +312,13 @@ def _with_rotors(spindle: Spindle, conditions: Conditions) -> Faults:
             "it out",
         )
     if spindle.seats and not misnamed(spindle):
-        yield from _joined_along(spindle.supports)
+        yield from _axial_tie_faults(spindle.supports)
 
 
-def _joined_along(supports: Iterable[LinearSupport]) -> Faults:
-    """Beside bearings, whose preload moves the shaft along, no other rotor ties it to ground there.
+def _axial_tie_faults(supports: Iterable[LinearSupport]) -> Faults:
+    """Yield a fault where another rotor ties a shaft with bearings to ground along the axis.
 
-    The preload state is that of the shaft by itself; what only hangs on the shaft goes along.
+    The preload state is that of the shaft alone; a rotor held by the shaft alone moves with it.
     """
     ties = [
         support
@@ -326,11 +326,11 @@ def _joined_along(supports: Iterable[LinearSupport]) -> Faults:
         if set(support.ends) != {SPINDLE, GROUND}
         and any("x" in pair for pair in (*support.stiffness, support.rigid))
     ]
-    reached, further = set[str](), {SPINDLE}
-    while further:
-        reached |= further
+    reached, frontier = set[str](), {SPINDLE}
+    while frontier:
+        reached |= frontier
         ends = {end for tie in ties for end in tie.ends if reached & set(tie.ends) - {GROUND}}
-        further = ends - reached
+        frontier = ends - reached
     if GROUND in reached:
         names = ", ".join(f"'{tie.name}'" for tie in ties if set(tie.ends) <= reached)
         yield (
@@ -341,8 +341,8 @@ def _joined_along(supports: Iterable[LinearSupport]) -> Faults:
         )
 
 
-def _sideways(setting: Setting) -> Faults:
-    """Bearings are solved under axial load alone: what moves along x must not push aside."""
+def _coupling_faults(setting: Setting) -> Faults:
+    """Yield a fault where a support couples x to other loads: bearing states are axial alone."""
     conditions = setting.conditions
     by_speed = conditions.bearings == "dynamic" and any(speed > 0.0 for speed in setting.speeds)
     acting = abs(conditions.axial_force) > 0.0 or any(conditions.pull) or setting.loaded

@@ -1,4 +1,4 @@
-"""Preload states of machines that come one after another, solved together before."""
+"""Preload states of several machines, solved together in advance."""
 
 from __future__ import annotations
 
@@ -12,20 +12,20 @@ from rotordyn.scene.statics import Statics
 
 
 def solve_ahead(machines: Sequence[Statics], memo: Memo) -> None:
-    """Leave the states of ``machines`` in the ``memo`` that they share, in place of those before.
+    """Solve the states of ``machines`` together into their ``memo``, replacing earlier ones.
 
-    Where one of them cannot be solved, each is left to be solved by itself, which tells why.
+    Where one cannot be solved, none is stored: each is solved alone later, which reports why.
     """
     memo.ahead.clear()
-    inputs, asked = list[Inputs](), list[Asked]()
+    inputs, problems = list[Inputs](), list[Asked]()
     for machine in machines:
         if machine.alone or machine.seated in inputs or memo.known("unloaded", machine.seated):
             continue
         acting = machine.law, machine.axial_force, machine.conditions.temperatures
-        asked.append(Asked(machine.grounded, machine.bearing_speed, *acting))
+        problems.append(Asked(machine.grounded, machine.bearing_speed, *acting))
         inputs.append(machine.seated)
-    if len(asked) > 1:
+    if len(problems) > 1:
         try:
-            memo.ahead.extend(zip(inputs, dynamic_preloads(asked), strict=True))
+            memo.ahead.extend(zip(inputs, dynamic_preloads(problems), strict=True))
         except (BearingError, RotordynError):
             return

@@ -45,10 +45,10 @@ ROUNDING = 1e-12  # of all loads
 
 @dataclass(frozen=True, eq=False, slots=True)
 class AtRest:
-    """``forces`` within the shaft; ``moved`` (usable, nodes, 6): its displacements [m, rad], at a
-    joint those of the part in front; ``apart`` (usable, elements, 6): by how much more the front
-    end of an element behind a joint moves; ``push`` (usable, connections, 6): loads of bearings and
-    supports on it [N, N·m]."""
+    """Section ``forces`` of the shaft; ``moved`` (usable, nodes, 6): its displacements [m, rad], at
+    a joint those of the part in front; ``apart`` (usable, elements, 6): additional displacement of
+    the front end of an element behind a joint; ``push`` (usable, connections, 6): loads of bearings
+    and supports on it [N, N·m]."""
 
     forces: SectionForces
     moved: Array
@@ -59,10 +59,10 @@ class AtRest:
 def at_rest(
     scene: Scene, mesh: Mesh, point: Array, line: Array, offset: Array | None = None
 ) -> AtRest:
-    """Under point loads (usable, nodes, 6) and line loads (elements, 2, 3) on ``mesh``.
+    """Solve the shaft under point loads (usable, nodes, 6) and line loads (elements, 2, 3).
 
-    ``offset`` (usable, connections, 6): how far what holds the shaft sits off it [m, rad], as an
-    eccentric ring does; a connection answers displacement and offset together.
+    ``offset`` (usable, connections, 6): offset of connections from the shaft [m, rad], as of an
+    eccentric ring; a connection reacts to the sum of displacement and offset.
 
     Raises
     ------
@@ -70,76 +70,77 @@ def at_rest(
     NoSolution : the bent shaft has no equilibrium under its axial force
     """
     spindle, x = scene.spindle, mesh.x
-    states, nodes = len(scene.usable), [mesh.node_of(each.x) for each in spindle.connections]
+    states, nodes = len(scene.usable), [mesh.node_of(part.x) for part in spindle.connections]
     point = np.broadcast_to(point, (states, mesh.nodes, 6))
     loads = on_nodes(point, line, x)
-    free = require_balance(spindle, x, loads)
-    give = compliance(spindle, mesh, rigid=scene.rigid)
-    held = Held(
+    unheld = require_balance(spindle, x, loads)
+    beam = compliance(spindle, mesh, rigid=scene.rigid)
+    restraint = Held(
         stiffness=held_stiffness(scene.rotor, scene.state),
         rigid=rigidly_held(spindle).ravel(),
         motion=rigid_motion(x[nodes], float(x[0])).reshape(-1, 6),
-        flexibility=_flexibility(mesh, give, nodes),
-        free=free,
+        flexibility=_flexibility(mesh, beam, nodes),
+        free=unheld,
         scale=length_scale(spindle),
     )
-    axial, taut, whole = _axial(scene, mesh), _taut(scene, mesh), resultant(loads, x)
+    axial, taut, total = _axial(scene, mesh), _drawbar_tension(scene, mesh), resultant(loads, x)
 
     def within(acting: Array, bend: Array) -> tuple[SectionForces, Array]:
-        """Forces of the bent shaft, and displacements with its front end held."""
+        """Return section forces of the bent shaft, and displacements with its front end clamped."""
         straight = section_forces(x, acting, line)
         if axial is None:
-            return straight, elastic_line(x, give, straight, line)
+            return straight, elastic_line(x, beam, straight, line)
         pulled = taut @ bend[..., :2]
         forces, sheared, loads = on_deformed(straight, line, axial, bend, pulled, mesh.length)
-        return forces, elastic_line(x, give, sheared, loads, forces.front)
+        return forces, elastic_line(x, beam, sheared, loads, forces.front)
 
     def solve(bend: Array) -> AtRest:
-        forces, moved = within(point, bend)
-        loose, gathered = moved[:, nodes], whole.copy()
-        gathered[:, 4:] += (forces.front - section_forces(x, point, line).front)[:, 0, 4:]
+        forces, displacement = within(point, bend)
+        unrestrained, resultants = displacement[:, nodes], total.copy()
+        # the axial force on the bent shaft adds moments about y and z
+        resultants[:, 4:] += (forces.front - section_forces(x, point, line).front)[:, 0, 4:]
         if offset is not None:
-            loose = loose + offset
-        push, front = reactions(held, loose.reshape(states, -1), gathered)
+            unrestrained = unrestrained + offset
+        push, front = reactions(restraint, unrestrained.reshape(states, -1), resultants)
         push = push.reshape(states, -1, 6)
         acting = point.copy()
         for k, node in enumerate(nodes):
             acting[:, node] += push[:, k]
-        forces, moved = within(acting, bend)
-        moved += np.einsum("nij,sj->sni", rigid_motion(x, float(x[0])), front, optimize=True)
-        return AtRest(forces, moved, forces.front * give.joints, push)
+        forces, displacement = within(acting, bend)
+        displacement += np.einsum("nij,sj->sni", rigid_motion(x, float(x[0])), front, optimize=True)
+        return AtRest(forces, displacement, forces.front * beam.joints, push)
 
     shape = states, mesh.nodes - 1, len(BENT)
     if axial is None:
         return solve(np.zeros(shape))
-    # displacements and rotations alike in size
+    # makes displacements and rotations of the same order of magnitude
     unit = np.array([1.0, 1.0, *[1.0 / (x[-1] - x[0])] * 2])
 
-    def again(bend: Array) -> Array:
-        found = solve(bend.reshape(shape) * unit)
-        return (bent(found.moved, found.apart) / unit).reshape(states, -1)
+    def update(bend: Array) -> Array:
+        state = solve(bend.reshape(shape) * unit)
+        return (bent(state.moved, state.apart) / unit).reshape(states, -1)
 
-    found, good = fixed_points(again, math.prod(shape[1:]), states)
-    if not good.all():
-        rpm = scene.speed[scene.usable[int(good.argmin())]] * RPM.factor
+    solution, converged = fixed_points(update, math.prod(shape[1:]), states)
+    if not converged.all():
+        rpm = scene.speed[scene.usable[int(converged.argmin())]] * RPM.factor
         raise NoSolution(
             f"the bent shaft finds no equilibrium under its axial force at {rpm:.0f} rpm: it is "
             "near buckling; lower the axial force, or leave it out by axial_stiffening: false"
         )
-    return solve(found.reshape(shape) * unit)
+    return solve(solution.reshape(shape) * unit)
 
 
 def _axial(scene: Scene, mesh: Mesh) -> Array | None:
-    """Axial force that acts on bending (usable, elements) [N]; None where none does."""
+    """Return the axial force that acts on bending (usable, elements) [N]; None where none does."""
     if not scene.conditions.axial_stiffening:
         return None
     force = scene.shaft_force.bending(mesh.middle)[scene.bearing_row[scene.usable]]
     return force if force.any() else None
 
 
-def _taut(scene: Scene, mesh: Mesh) -> Array:
-    """Tension of a drawbar that runs straight between its contacts times the inclination of each
-    element's part of it, per motion of rear against front ends (elements, elements) [N/m]."""
+def _drawbar_tension(scene: Scene, mesh: Mesh) -> Array:
+    """Return the drawbar's tension times its inclination, per relative displacement of the ends of
+    each element (elements, elements) [N/m]; the bar runs straight between its contacts."""
     taut, bar = np.zeros((mesh.nodes - 1, mesh.nodes - 1)), scene.spindle.drawbar
     for low, high in pairwise(bar.contacts if bar else ()):
         part = slice(mesh.node_of(low), mesh.node_of(high))
@@ -148,8 +149,8 @@ def _taut(scene: Scene, mesh: Mesh) -> Array:
 
 
 def weight(spindle: Spindle, mesh: Mesh, gravity: str) -> tuple[Array, Array]:
-    """Of discs and masses on nodes (nodes, 6) [N], of the shaft along elements (elements, 2, 3)
-    [N/m]."""
+    """Return the weight of discs and masses on nodes (nodes, 6) [N], and of the shaft along
+    elements (elements, 2, 3) [N/m]."""
     pull, point = np.array(gravity_vector(gravity)), np.zeros((mesh.nodes, 6))
     for body in spindle.lumped:
         point[mesh.node_of(body.x), :3] += body.mass * pull
@@ -157,23 +158,22 @@ def weight(spindle: Spindle, mesh: Mesh, gravity: str) -> tuple[Array, Array]:
 
 
 def on_nodes(point: Array, line: Array, x: Array) -> Array:
-    """Point loads (…, nodes, 6) with the same resultant: of each element's line load at either
-    end."""
+    """Add line loads to point loads (…, nodes, 6), with the same resultant at the element ends."""
     front, rear = np.moveaxis(line, 1, 0)
-    length, gathered = np.diff(x)[:, None], point.copy()
-    gathered[..., :-1, :3] += (2.0 * front + rear) * length / 6.0
-    gathered[..., 1:, :3] += (front + 2.0 * rear) * length / 6.0
-    return gathered
+    length, loads = np.diff(x)[:, None], point.copy()
+    loads[..., :-1, :3] += (2.0 * front + rear) * length / 6.0
+    loads[..., 1:, :3] += (front + 2.0 * rear) * length / 6.0
+    return loads
 
 
 def resultant(point: Array, x: Array) -> Array:
-    """Resultant (…, 6) about the front end of loads (…, nodes, 6) on nodes at ``x`` [m]."""
+    """Return the resultant (…, 6) about the front end of loads (…, nodes, 6) at ``x`` [m]."""
     return np.einsum("nij,...ni->...j", rigid_motion(x, float(x[0])), point, optimize=True)
 
 
 def require_balance(spindle: Spindle, x: Array, loads: Iterable[Array]) -> Array:
-    """Motions that nothing holds (6, k), in lengths, along which each of ``loads`` (nodes, 6) on
-    nodes at ``x`` balances.
+    """Return the unrestrained rigid-body motions (6, k), in lengths, along which each of ``loads``
+    (nodes, 6) on nodes at ``x`` [m] must balance.
 
     Raises
     ------
@@ -184,17 +184,17 @@ def require_balance(spindle: Spindle, x: Array, loads: Iterable[Array]) -> Array
         return free
     motion = rigid_motion(x, float(x[0])) / scale
     for acting in loads:
-        each = np.einsum("nij,ni,jk->nik", motion, acting, free, optimize=True)
-        left, size = each.sum(axis=(0, 1)), np.abs(each).sum(axis=(0, 1))
-        over = np.abs(left) > BALANCED * size + ROUNDING * np.abs(acting / scale).sum()
-        if over.any():
-            raise InvalidInput(_free_body(free[:, over] @ left[over], scale))
+        work = np.einsum("nij,ni,jk->nik", motion, acting, free, optimize=True)
+        imbalance, size = work.sum(axis=(0, 1)), np.abs(work).sum(axis=(0, 1))
+        unbalanced = np.abs(imbalance) > BALANCED * size + ROUNDING * np.abs(acting / scale).sum()
+        if unbalanced.any():
+            raise InvalidInput(_free_body(free[:, unbalanced] @ imbalance[unbalanced], scale))
     return free
 
 
-def _free_body(left: Array, scale: Array) -> str:
-    names = free_names(left[:, None] / np.abs(left).max())
-    force, moment = np.abs(left[:3]).max(), np.abs(left * scale)[3:].max()
+def _free_body(imbalance: Array, scale: Array) -> str:
+    names = free_names(imbalance[:, None] / np.abs(imbalance).max())
+    force, moment = np.abs(imbalance[:3]).max(), np.abs(imbalance * scale)[3:].max()
     amount = f"{moment:.6g} N m" if names.startswith("th") else f"{force:.6g} N"
     return (
         f"free body in a static case: nothing holds {names}, and the loads there are out of "
@@ -202,12 +202,12 @@ def _free_body(left: Array, scale: Array) -> str:
     )
 
 
-def _flexibility(mesh: Mesh, give: Compliance, nodes: list[int]) -> Array:
-    """Displacements at ``nodes`` by unit loads there, the front end held (6 k, 6 k)."""
+def _flexibility(mesh: Mesh, beam: Compliance, nodes: list[int]) -> Array:
+    """Return displacements at ``nodes`` under unit loads, the front end clamped (6 k, 6 k)."""
     count = len(nodes)
     unit = np.zeros((6 * count, mesh.nodes, 6))
     for k, node in enumerate(nodes):
         unit[6 * k + np.arange(6), node, np.arange(6)] = 1.0
-    none = np.zeros((mesh.nodes - 1, 2, 3))
-    moved = elastic_line(mesh.x, give, section_forces(mesh.x, unit, none), none)
-    return np.asarray(moved[:, nodes].reshape(6 * count, 6 * count).T)
+    unloaded = np.zeros((mesh.nodes - 1, 2, 3))
+    displacement = elastic_line(mesh.x, beam, section_forces(mesh.x, unit, unloaded), unloaded)
+    return np.asarray(displacement[:, nodes].reshape(6 * count, 6 * count).T)

@@ -1,4 +1,4 @@
-"""What is said of a machine whose shaft buckles under its axial force, and what it would stand."""
+"""Buckling of the shaft under its axial force, and the largest force that it withstands."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ HALVINGS = 30
 class Loading:
     """Axial states of a machine: bearing loads (states, seats) [N] and tangents in their frames.
 
-    ``speed`` (states,) [rad/s]: of the shaft. ``structure`` is asked for only where the shaft is
-    compressed. ``along``: force in a shaft under bearing loads and a share of all axial forces,
-    ``cause``: what these are called.
+    ``speed`` (states,) [rad/s]: of the shaft. ``structure`` is called only where the shaft is
+    compressed. ``along``: force in a shaft under bearing loads and a share of all axial forces;
+    ``cause``: the name of these.
     """
 
     spindle: Spindle
@@ -37,24 +37,25 @@ class Loading:
     cause: str
 
     def outcomes(self) -> tuple[str, ...]:
-        """Per state: empty, or that the shaft buckles at this speed and what would hold."""
-        known = np.asarray(np.isfinite(self.seat_load).all(axis=1))
-        if not known.any() or not self.along(self.spindle, self.seat_load, 1.0).compresses:
+        """Return a message per state: empty, or that the shaft buckles, and what it withstands."""
+        finite = np.asarray(np.isfinite(self.seat_load).all(axis=1))
+        if not finite.any() or not self.along(self.spindle, self.seat_load, 1.0).compresses:
             return ("",) * len(self.speed)
-        held = np.full(len(known), True)
-        held[known] = self.at(np.flatnonzero(known))._withstands(1.0, 1.0)
+        stable = np.full(len(finite), True)
+        stable[finite] = self.at(np.flatnonzero(finite))._withstands(1.0, 1.0)
         return tuple(
-            "" if stands else self.at(np.array([row]))._sentence(self.speed[row] * RPM.factor)
-            for row, stands in enumerate(held)
+            "" if withstood else self.at(np.array([row]))._sentence(self.speed[row] * RPM.factor)
+            for row, withstood in enumerate(stable)
         )
 
     def at(self, index: Indices) -> Loading:
-        """Some of the states."""
+        """Select states by index."""
         load, stiffness = self.seat_load[index], self.seat_stiffness[index]
         return replace(self, speed=self.speed[index], seat_load=load, seat_stiffness=stiffness)
 
     def _withstands(self, forces: float, bar: float) -> Flags:
-        """States that stand with shares of all axial forces, and of the drawbar's."""
+        """Return states that are stable under shares of axial ``forces`` and drawbar force,
+        ``bar``."""
         spindle, structure = self.spindle, self.structure()
         if spindle.drawbar:
             drawbar = (
@@ -68,23 +69,23 @@ class Loading:
         return withstands(structure, state, force, bar)
 
     def _sentence(self, rpm: float) -> str:
-        """For a single state that buckles."""
+        """Return the message of a single state that buckles."""
         bar = self.spindle.drawbar
         if bar and bar.contacts and self._withstands(1.0, 0.0)[0]:
-            most = _largest(lambda share: bool(self._withstands(1.0, share)[0]))
+            largest = _largest(lambda share: bool(self._withstands(1.0, share)[0]))
             return (
                 f"the drawbar force buckles the shaft at {rpm:.0f} rpm: given "
-                f"{bar.force / 1e3:.4g} kN, at most {most * bar.force / 1e3:.4g} kN"
+                f"{bar.force / 1e3:.4g} kN, at most {largest * bar.force / 1e3:.4g} kN"
             )
-        most = _largest(lambda share: bool(self._withstands(share, share)[0]))
+        largest = _largest(lambda share: bool(self._withstands(share, share)[0]))
         return (
-            f"the {self.cause} buckles the shaft at {rpm:.0f} rpm, {most:.3g} times that force "
+            f"the {self.cause} buckles the shaft at {rpm:.0f} rpm, {largest:.3g} times that force "
             "would not: lessen it or hold the shaft better"
         )
 
 
 def _largest(stands: Callable[[float], bool]) -> float:
-    """Largest share below 1 that stands, by bisection."""
+    """Return the largest share below 1 at which the shaft is stable, by bisection."""
     low, high = 0.0, 1.0
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)

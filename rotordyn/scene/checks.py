@@ -1,4 +1,4 @@
-"""Whether a machine is solved once more with a finer model, and what that showed."""
+"""Whether errors are estimated with a finer model, and the largest ones so far."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from dataclasses import dataclass
 
 @dataclass
 class Checks:
-    """``wanted``: models are refined, else their errors are not known (NaN).
+    """Error estimation by refinement: whether it is ``wanted``, else errors are NaN; its outcome.
 
-    Largest errors found so far, over what the accuracy allows, infinite where modes appear or
-    vanish: ``worst`` of models that answered, or of the last one before them where no finer one
-    was asked for; ``first`` of those that were tried first.
+    Largest errors so far over the allowed error, infinite where modes appear or vanish: ``worst``
+    of the models whose results are taken, or of the last model before them where these are not
+    refined; ``first`` of the initial models.
     """
 
     wanted: bool = True

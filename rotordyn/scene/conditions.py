@@ -28,7 +28,7 @@ Tangent = Annotated[str, Choice(TANGENTS)]
 class Conditions(Description):
     """How the machine is modelled; all optional.
 
-    What is assumed of the balls: ``law``. An infinite friction is no limit.
+    ``law``: hypotheses on the balls. Infinite friction means no limit.
     """
 
     kinematics: Annotated[
@@ -141,13 +141,13 @@ class Conditions(Description):
 
     @property
     def law(self) -> Law:
-        """What is assumed of the balls."""
+        """Hypotheses on the balls."""
         friction = None if math.isinf(self.friction) else self.friction
         return Law(self.kinematics, self.moment_sharing, friction, self.dynamics)
 
 
 def gravity_vector(gravity: str) -> tuple[float, float, float]:
-    """Acceleration along x, y and z [m/s²] of gravity along "+x", "-y" …; none of another word."""
+    """Return the acceleration along x, y and z [m/s²] of gravity along "+x", "-y" …; else zero."""
     size = -STANDARD_GRAVITY if gravity.startswith("-") else STANDARD_GRAVITY
-    x, y, z = (size if gravity[1:] == way else 0.0 for way in "xyz")
+    x, y, z = (size if gravity[1:] == axis else 0.0 for axis in "xyz")
     return x, y, z

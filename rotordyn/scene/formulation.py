@@ -1,4 +1,4 @@
-"""The frames in which bending may be written, and what a user reads of each."""
+"""Frames in which bending may be written, and the notes on each."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ _SENTENCES = {
 
 
 def frame_notes(formulation: str) -> tuple[str, ...]:
-    """The sentence that says which formulation is in force; none for the inertial one."""
+    """Return the note on the formulation in force; none for the inertial one."""
     return (_SENTENCES[formulation],) if formulation in _SENTENCES else ()
 
 
 def turned(quantity: str) -> str:
-    """Why a velocity or acceleration over force is not given in the turning frame."""
+    """Say why a velocity or acceleration over force is not given in the rotating frame."""
     return (
         f"{quantity} in a frame that turns with the shaft is what no sensor measures: take "
         "receptance, or formulation: inertial"
@@ -40,11 +40,11 @@ def turned(quantity: str) -> str:
 
 
 def require_isotropic(scene: Scene) -> None:
-    """Go on only where bending may be seen from the turning frame.
+    """Check that bending may be written in the rotating frame.
 
     Raises
     ------
-    InvalidInput : supports do not answer alike in all directions, or couple bending to more
+    InvalidInput : there are anisotropic supports, housings, or supports that couple bending
     """
     for k in scene.with_motions(("bending",)):
         linear = scene.system(k).linear

@@ -1,4 +1,4 @@
-"""Peaks of modes that hardly anything damps, whose height means nothing."""
+"""Warning about peaks of nearly undamped modes, whose height means nothing."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ LIGHT = 1e-5  # damping ratio; steel alone has ten times that
 
 
 def hardly_damped(peak: str, mode: str, ratio: float) -> str:
-    """What is said of the highest ``peak`` of a response, set by a ``mode`` of such a damping
-    ``ratio``.
+    """Return a warning about the highest ``peak`` of a response, set by a ``mode`` of such a
+    damping ``ratio``.
 
     >>> hardly_damped("frf: the highest peak of a", "bending 1", 3e-7)[:74]
     'frf: the highest peak of a is set by bending 1, which has a damping ratio '

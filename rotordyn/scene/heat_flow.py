@@ -57,8 +57,8 @@ class HeatFlow(Description):
         """Conductances in the form of ``bearings.heat``, its guesses where they are not given."""
         from bearings.heat.temperature import Conductances
 
-        given = {name: getattr(self, name) for name in Conductances._fields}
-        return Conductances(**{name: g for name, g in given.items() if g is not None})
+        values = {name: getattr(self, name) for name in Conductances._fields}
+        return Conductances(**{name: value for name, value in values.items() if value is not None})
 
     @property
     def note(self) -> str:
@@ -71,13 +71,13 @@ class HeatFlow(Description):
         )
 
     def guesses(self) -> Iterator[str]:
-        """A sentence where conductances are guesses."""
+        """Yield a sentence where conductances are guesses."""
         missing = [name for name in BALLS if getattr(self, name) is None]
         if missing:
-            taken = getattr(self.conductances, missing[0])
+            value = getattr(self.conductances, missing[0])
             yield (
                 f"heat_flow: {' and '.join(missing)}, not given, {'are' if missing[1:] else 'is'} "
-                f"taken as {taken:g} W/K, a guess on which temperatures of the balls, preload, "
+                f"taken as {value:g} W/K, a guess on which temperatures of the balls, preload, "
                 "life and speed limits depend: give values, and vary them by a factor of five"
             )
 
@@ -91,7 +91,7 @@ class HeatFlow(Description):
 
 @dataclass(frozen=True, slots=True)
 class SpindleHeatFlow(HeatFlow):
-    """The same of every bearing of a spindle, with the oil that heats and cools."""
+    """Conductances from every bearing of a spindle to what is around it, with its lubricant."""
 
     lubricant: Annotated[Lubrication | None, Key(required=True), "of the bearings"] = None
 
@@ -101,15 +101,15 @@ class SpindleHeatFlow(HeatFlow):
         from bearings.heat.moments import OIL_FACTORS
         from rotordyn.preload.heat_balance import Flow
 
-        oiled = self.lubricant
-        assert oiled is not None
-        factor = OIL_FACTORS[oiled.supply]
-        return Flow(oiled.oil, self.conductances, self.surroundings, oiled.friction, factor)
+        lubricant = self.lubricant
+        assert lubricant is not None
+        factor = OIL_FACTORS[lubricant.supply]
+        return Flow(lubricant.oil, self.conductances, self.surroundings, lubricant.friction, factor)
 
 
 @dataclass(frozen=True, slots=True)
 class MountedHeatFlow(HeatFlow):
-    """The same of a single bearing, with what holds its preload."""
+    """Conductances from a single bearing to what is around it, with what holds its preload."""
 
     mounting: Annotated[
         str,

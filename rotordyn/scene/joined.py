@@ -1,4 +1,4 @@
-"""The equations of motion of several subsystems as one."""
+"""The equations of motion of several subsystems combined."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from rotordyn.scene.scene import Scene
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Joined:
-    """q̈ + C q̇ + K q = f of ``parts`` side by side, in the motions that rigid supports allow, at
-    their speeds (s,)."""
+    """Equation q̈ + C q̇ + K q = f of ``parts`` together, in coordinates that rigid supports allow,
+    at their speeds (s,)."""
 
     scene: Scene
     parts: tuple[Linear, ...]
 
     @classmethod
     def of(cls, scene: Scene, systems: Iterable[int], rows: Indices | None = None) -> Joined:
-        """Some subsystems of a scene at its usable speeds, or at some ``rows`` of them."""
+        """Combine subsystems of a scene at its usable speeds, or at some ``rows`` of them."""
         return cls(scene, tuple(scene.linear(k, rows) for k in systems))
 
     @property
@@ -38,23 +38,23 @@ class Joined:
 
     @property
     def gyroscopic(self) -> Array:
-        """What of C is per unit of the spindle's speed (n, n)."""
+        """Part of C per unit of the spindle's speed (n, n)."""
         return _blocks([part.within(part.gyroscopic)[None] for part in self.parts])[0]
 
     def by_coordinates(self, rows: Callable[[Linear], Array]) -> Array:
-        """``rows`` of each part (…, its own coordinates) by the coordinates of all (…, n)."""
+        """Combine ``rows`` of each part (…, its coordinates) to rows by all coordinates (…, n)."""
         return np.concatenate([along(rows(part), part.basis) for part in self.parts], axis=-1)
 
     def displaced(self, places: Iterable[tuple[str | float, str]]) -> Array:
-        """Displacements of points or stations in directions by the coordinates (places, n)."""
-        at = [(*self.scene.spindle.place(point), way) for point, way in places]
-        return self.by_coordinates(lambda part: np.stack([part.row(*each) for each in at]))
+        """Return rows (places, n) of the displacements of points or stations in directions."""
+        at = [(*self.scene.spindle.place(point), direction) for point, direction in places]
+        return self.by_coordinates(lambda part: np.stack([part.row(*place) for place in at]))
 
 
 def _blocks(parts: list[Array]) -> Array:
-    """Matrices (s, n, n) side by side on the diagonal of one."""
+    """Return the block-diagonal matrices (s, n, n) of ``parts``."""
     ends = np.cumsum([0, *(part.shape[-1] for part in parts)])
-    whole = np.zeros((len(parts[0]), ends[-1], ends[-1]))
+    matrices = np.zeros((len(parts[0]), ends[-1], ends[-1]))
     for begin, end, part in zip(ends[:-1], ends[1:], parts, strict=True):
-        whole[:, begin:end, begin:end] = part
-    return whole
+        matrices[:, begin:end, begin:end] = part
+    return matrices

@@ -1,4 +1,4 @@
-"""How far loads of bearings are from those of their tangents, where linear analyses move them."""
+"""Deviation of bearing loads from their tangents under the motions of linear analyses."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 RING = [position(way) for way in BEARING_DIRECTIONS]
 PHASES = np.exp(0.25j * np.pi * np.arange(8))  # of an orbit at which loads are compared
-SEEN = 1e-4  # of the load in the preload state: a smaller one beside it is not compared
+SEEN = 1e-4  # of the load in the preload state: smaller changes are not compared
 TOLD = 0.25  # of the load that the tangent adds
 FAR = 0.1  # m: no machine moves so far
 SMALL = 0.1  # rad: of such an inclination 1 − cos is half a percent, of the curvature 1.5 percent
@@ -30,10 +30,11 @@ LINEAR = Absence(
 
 
 def ring_rows(scene: Scene, part: Linear) -> Array:
-    """Displacement of the rings of every seat, inner against outer in the frame of the bearing, by
-    the coordinates of a subsystem (seats, 5, n); zero of what is not in it."""
+    """Return the rows (seats, 5, n) that give the displacement of the rings of every seat, inner
+    against outer in the frame of the bearing, by the coordinates of a subsystem; zero for seats
+    outside it."""
     seats, links = scene.spindle.seats, scene.rotor.seats
-    motions = {id(each.link): each.motions for each in part.connections}
+    motions = {id(connection.link): connection.motions for connection in part.connections}
     rows = np.zeros((len(seats), len(RING), part.size))
     for k, (seat, link) in enumerate(zip(seats, links, strict=True)):
         if id(link) in motions:
@@ -43,79 +44,80 @@ def ring_rows(scene: Scene, part: Linear) -> Array:
 
 
 def moved_by(scene: Scene, load: Array) -> Array:
-    """Displacement of rings (usable, seats, 5) under loads by tangents, which have the components
-    of forces and moments on them in the spindle's frame (usable, seats, 6)."""
+    """Return the displacement of rings (usable, seats, 5) by their tangents, under forces and
+    moments in the spindle's frame (usable, seats, 6)."""
     turns = [HALF_TURN_ABOUT_Y if seat.thrust < 0 else 1.0 for seat in scene.spindle.seats]
-    own = load[..., RING] * np.array([np.broadcast_to(turn, len(RING)) for turn in turns])
+    bearing_load = load[..., RING] * np.array([np.broadcast_to(turn, len(RING)) for turn in turns])
     inverse = np.linalg.pinv(scene.seat_stiffness, rcond=1e-12)
-    return np.asarray((inverse @ own[..., None])[..., 0])
+    return np.asarray((inverse @ bearing_load[..., None])[..., 0])
 
 
 def departure(scene: Scene, moved: Array | Complex) -> Array:
-    """Of the load of every bearing at usable speeds (usable, seats): how far what its law adds to
-    the preload state differs from what its tangent adds, over the latter; infinite where no state
-    is left, NaN beside oil films.
+    """Return the relative deviation of every bearing's load at usable speeds (usable, seats): what
+    its law adds to the preload state, against what its tangent adds, over the latter; infinite
+    where no state exists, NaN with oil films.
 
     ``moved`` (usable, seats, 5): displacement of the rings, or amplitude of a harmonic one.
     """
     from bearings.ring.request import solved
 
     seats, rows = scene.spindle.seats, scene.bearing_row[scene.usable]
-    apart = np.full((len(rows), len(seats)), np.nan)
+    deviation = np.full((len(rows), len(seats)), np.nan)
     if scene.conditions.films is not None:
-        return apart
+        return deviation
     phases = PHASES if np.iscomplexobj(moved) else np.ones(1)
     moved = np.where(np.isfinite(moved), moved, 0.0)  # of speeds without a steady motion
     turned = (moved[..., None, :] * phases[:, None]).real  # (usable, seats, phases, 5)
     for seat, (state, column) in enumerate(scene.preload.seat_states()):
-        still = state.rows(np.ix_(rows, [column]))
-        there = still.displacement[:, :, None] + turned[:, seat, None]
-        found = solved(still.operation.at(there))
+        preload = state.rows(np.ix_(rows, [column]))
+        displacement = preload.displacement[:, :, None] + turned[:, seat, None]
+        solution = solved(preload.operation.at(displacement))
         radius = 0.5 * seats[seat].bearing.pitch_diameter
-        lever = np.array([1.0, 1.0, 1.0, 1.0 / radius, 1.0 / radius])
+        lever = np.array([1.0, 1.0, 1.0, 1.0 / radius, 1.0 / radius])  # moments as forces at balls
         linear = turned[:, seat] @ np.swapaxes(scene.seat_stiffness[:, seat], -1, -2)
         size = np.linalg.norm(linear * lever, axis=-1)
-        miss = np.linalg.norm((found.load[:, 0] - still.load - linear) * lever, axis=-1)
-        least = SEEN * np.linalg.norm(still.load * lever, axis=-1)
-        share = np.where(size > least, miss / np.maximum(size, least + 1e-300), 0.0)
+        miss = np.linalg.norm((solution.load[:, 0] - preload.load - linear) * lever, axis=-1)
+        least = SEEN * np.linalg.norm(preload.load * lever, axis=-1)
+        share = np.where(size > least, miss / np.maximum(size, least + 1e-300), 0.0)  # never 0 / 0
         share = np.where((size == 0.0) & (miss > least), np.inf, share)  # of a bearing without load
-        lost = np.asarray(found.outcome[:, 0] == "overloaded")
-        apart[:, seat] = np.where(lost, np.inf, share).max(axis=-1)
-    return apart
+        overloaded = np.asarray(solution.outcome[:, 0] == "overloaded")
+        deviation[:, seat] = np.where(overloaded, np.inf, share).max(axis=-1)
+    return deviation
 
 
 def beyond_tangents(
     what: str, names: Sequence[str], speed: Array | None, apart: NDArray[np.floating]
 ) -> Iterator[str]:
-    """A warning where loads of bearings, by ``names``, depart from those of their tangents, of a
-    result with ``apart`` (speeds, names), and the first speed, unless ``what`` says where."""
+    """Yield a warning where loads of bearings, by ``names``, deviate from those of their tangents
+    in a result with ``apart`` (speeds, names), with the first such speed unless ``what`` says
+    where."""
     worst = np.nan_to_num(apart, posinf=np.inf).max(axis=0, initial=0.0)
-    told = [
+    reported = [
         f"{name} by {100.0 * share:.0f} %" if np.isfinite(share) else f"{name} loses any state"
         for name, share in zip(names, worst, strict=True)
         if share > TOLD
     ]
-    if told:
+    if reported:
         where = ""
         if speed is not None:
             beyond = (np.nan_to_num(apart, posinf=np.inf) > TOLD).any(axis=1)
             where = f", first at {number(float(speed[beyond.argmax()]) * RPM.factor, 0)} rpm"
         yield (
             f"{what}: bearings are moved so far that their loads depart from those of their "
-            f"tangents{where}: {', '.join(told)}; "
+            f"tangents{where}: {', '.join(reported)}; "
             "results there are right in kind only, not in size: lower the loads, or see "
             "bearing_loads, stiffness or time_response, which follow the law of the bearings"
         )
 
 
 def not_small(what: str, speed: Array, slope: NDArray[np.floating]) -> Iterator[str]:
-    """A warning where the shaft is inclined by more than small deflections are, of a result with
-    ``slope`` (speeds, …) [rad]."""
-    most = np.nan_to_num(np.abs(slope)).reshape(len(speed), -1).max(axis=1, initial=0.0)
-    row = int(most.argmax())
-    if most[row] > SMALL:
+    """Yield a warning where the inclination ``slope`` (speeds, …) [rad] of the shaft exceeds that
+    of small deflections."""
+    largest = np.nan_to_num(np.abs(slope)).reshape(len(speed), -1).max(axis=1, initial=0.0)
+    row = int(largest.argmax())
+    if largest[row] > SMALL:
         yield (
-            f"{what}: the shaft is inclined by up to {np.degrees(most[row]):.3g}° at "
+            f"{what}: the shaft is inclined by up to {np.degrees(largest[row]):.3g}° at "
             f"{number(float(speed[row]) * RPM.factor, 0)} rpm, where only small deflections are "
             "meant: results there are right in kind only, not in size: lower the loads, an axial "
             "force near buckling among them, or hold the shaft closer"

@@ -49,7 +49,7 @@ class PointLoad(Description):
 
     @property
     def on_axis(self) -> tuple[float, ...]:
-        """(Fx, Fy, Fz, Mx, My, Mz) of the same load at the axis."""
+        """(Fx, Fy, Fz, Mx, My, Mz) of the equivalent load at the axis."""
         y, z = self.y, self.z
         return (
             self.Fx,
@@ -77,7 +77,7 @@ class LineLoad(Description):
 class Unbalance(Description):
     """A mass off the axis [kg·m]; its force is U Ω².
 
-    It turns with the shaft, or in a static analysis stands at its angle.
+    It turns with the shaft; in a static analysis it acts at its angle.
     """
 
     at: Annotated[At, "where it turns: a point or station"]
@@ -125,7 +125,7 @@ class BalanceGrade(Description):
 
 @dataclass(frozen=True, slots=True)
 class TwistLimit(Description):
-    """How far the shaft may twist [rad], and which uniform outer diameter just keeps to it."""
+    """Limit of the twist of the shaft [rad], for which a uniform outer diameter is computed."""
 
     start: Annotated[At, Key("from"), "one end"]
     to: Annotated[At, "the other end"]
@@ -135,7 +135,7 @@ class TwistLimit(Description):
 
     @property
     def called(self) -> str:
-        """Its name, or where it goes from and to."""
+        """Given name, or both ends."""
         return self.name or f"{_place(self.start)} to {_place(self.to)}"
 
 

@@ -49,11 +49,11 @@ class Lubrication(Description):
                 "not below viscosity_40: given {given}; allowed: below {given:viscosity_40}",
             )
         elif known(self.viscosity_100) and known(self.viscosity_40) and known(self.temperature):
-            thick = float(self.oil.kinematic(self.temperature))
-            if thick > THICKEST:
+            viscosity = float(self.oil.kinematic(self.temperature))
+            if viscosity > THICKEST:
                 yield (
                     ("temperature",),
-                    f"at {{given}} this oil does not flow, by its {thick * 1e6:.3g} mm²/s: "
+                    f"at {{given}} this oil does not flow, by its {viscosity * 1e6:.3g} mm²/s: "
                     f"allowed: a temperature at which it has up to {THICKEST * 1e6:.6g} mm²/s",
                 )
 
@@ -66,8 +66,8 @@ class Lubrication(Description):
 
 
 def hot_rating(celsius: Array) -> Array:
-    """Factor on C at temperatures of bearings [°C] (…): 1 where none is known (NaN), and that of
-    300 °C above."""
+    """Return the factor on C at bearing temperatures [°C] (…): 1 where unknown (NaN), above 300 °C
+    that of 300 °C."""
     import numpy as np
 
     from bearings.life import HOTTEST, temperature_factor

@@ -1,4 +1,4 @@
-"""What structure and questions of a machine spare: stages never run, work done once for many."""
+"""What structure and analyses of a machine save: stages never run, work shared by many."""
 
 from __future__ import annotations
 
@@ -10,25 +10,25 @@ UNASKED = "no analysis of this case needs it"
 
 
 def reasons(scene: Scene) -> dict[str, str]:
-    """Why each stage that did not run did not."""
+    """Return the reason why each skipped stage did not run."""
     return {name: _reason(scene, name) for name in scene.skipped}
 
 
 def _reason(scene: Scene, name: str) -> str:
-    known = (
+    causes = (
         (name in ("preload", "tangents") and not scene.spindle.seats, "supports are linear"),
         (name == "shaft_force" and not scene.conditions.axial_stiffening, "it does not act here"),
         (name in ("rotor", "subsystems"), "no analysis asks for vibration"),
     )
-    return next((why for holds, why in known if holds), UNASKED)
+    return next((why for holds, why in causes if holds), UNASKED)
 
 
 def spared(scene: Scene) -> tuple[str, ...]:
-    """Sentences on what was done once for many, or not at all, by the structure of the machine."""
-    return (*_taken(scene), *_bearings(scene), *_vibration(scene))
+    """Return sentences on work that the structure of the machine saves, or does once for many."""
+    return (*_reused(scene), *_bearings(scene), *_vibration(scene))
 
 
-def _taken(scene: Scene) -> Iterator[str]:
+def _reused(scene: Scene) -> Iterator[str]:
     if scene.reused:
         yield f"the same as of another variant, solved once: {', '.join(sorted(scene.reused))}"
 

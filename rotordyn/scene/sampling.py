@@ -26,17 +26,18 @@ def over_speed(
     centres: Array,
     widths: Array,
 ) -> tuple[Array, list[NDArray[Any]]]:
-    """Speeds [rad/s] (n,) from the first to the last usable one, and ``values`` (n, …) there.
+    """Sample speeds [rad/s] (n,) from the first to the last usable one, and ``values`` (n, …)
+    there.
 
     ``values`` of a scene: arrays over its usable speeds, NaN in others. ``amplitude`` of them (n,
     curves): every peak of it is sampled to its top, and where its logarithm bends. ``centres`` and
     half ``widths`` (k,) [rad/s]: of peaks that are expected. A speed at which stops close is a
     sample of NaN between its two sides, so that a line drawn through the samples breaks there.
     """
-    given = scene.speed[scene.usable]
-    low, high = float(given[0]), float(given[-1])
+    speeds = scene.speed[scene.usable]
+    low, high = float(speeds[0]), float(speeds[-1])
     if low == high:
-        return given, list(values(scene))
+        return speeds, list(values(scene))
 
     like = values(scene)
 
@@ -47,29 +48,30 @@ def over_speed(
         return [other.scattered(each) for each in values(other)]
 
     inside = (centres > low) & (centres < high)
-    about = spread_between(centres[inside], widths[inside], low, high, least=LEAST)
-    beside = np.abs(about[:, None] - given).min(axis=1) > CLOSEST * high  # else the same speed
-    start = np.sort(np.concatenate([given, about[beside]]))
-    start, gaps = _jumps(scene, start)
+    expected = spread_between(centres[inside], widths[inside], low, high, least=LEAST)
+    new = np.abs(expected[:, None] - speeds).min(axis=1) > CLOSEST * high  # else the same speed
+    start = np.sort(np.concatenate([speeds, expected[new]]))
+    start, gaps = _with_stop_speeds(scene, start)
     speed, curves = sampled(start, solve, amplitude)
     for gap in gaps:
-        speed, curves = _broken(speed, curves, gap)
+        speed, curves = _with_gap(speed, curves, gap)
     return speed, curves
 
 
-def _jumps(scene: Scene, speed: Array) -> tuple[Array, list[float]]:
-    """With both sides of every speed at which a stop opens or closes, and what lies between."""
+def _with_stop_speeds(scene: Scene, speed: Array) -> tuple[Array, list[float]]:
+    """Insert both sides of every speed at which a stop opens or closes; return the speeds, and the
+    midpoint of each pair."""
     if not scene.spindle.sleeves:
         return speed, []
-    held = _stops(scene.at(speed))
+    closed = _closed_stops(scene.at(speed))
     gaps: list[tuple[float, float]] = []
-    for row in np.flatnonzero((held[1:] != held[:-1]).any(axis=1)):
-        low, high, before = float(speed[row]), float(speed[row + 1]), held[row]
+    for row in np.flatnonzero((closed[1:] != closed[:-1]).any(axis=1)):
+        low, high, closed_below = float(speed[row]), float(speed[row + 1]), closed[row]
         for _ in range(HALVINGS):
             if high - low <= CLOSEST * float(speed[-1]):
                 break
             middle = 0.5 * (low + high)
-            same = bool((_stops(scene.at(np.array([middle])))[0] == before).all())
+            same = bool((_closed_stops(scene.at(np.array([middle])))[0] == closed_below).all())
             low, high = (middle, high) if same else (low, middle)
         gaps += [(low, high)]
     return (
@@ -78,14 +80,14 @@ def _jumps(scene: Scene, speed: Array) -> tuple[Array, list[float]]:
     )
 
 
-def _stops(scene: Scene) -> Flags:
-    """Which stops are closed at every speed (n, sleeves); none where there is no equilibrium."""
+def _closed_stops(scene: Scene) -> Flags:
+    """Return which stops are closed at every speed (n, sleeves), none without equilibrium."""
     if all(scene.outcome):
         return np.zeros((len(scene.speed), len(scene.spindle.sleeves)), dtype=bool)
     return scene.scattered(scene.stopped)
 
 
-def _broken(speed: Array, curves: Arrays, gap: float) -> tuple[Array, list[NDArray[Any]]]:
-    """With a sample without values."""
-    place = int(np.searchsorted(speed, gap))
-    return np.insert(speed, place, gap), [np.insert(each, place, np.nan, axis=0) for each in curves]
+def _with_gap(speed: Array, curves: Arrays, gap: float) -> tuple[Array, list[NDArray[Any]]]:
+    """Insert a NaN sample at the speed ``gap``."""
+    row = int(np.searchsorted(speed, gap))
+    return np.insert(speed, row, gap), [np.insert(curve, row, np.nan, axis=0) for curve in curves]

@@ -52,10 +52,10 @@ class Scene(Statics):
 
     ``max_frequency`` [Hz]: highest frequency any analysis asks for; ``ports``: places, or stations
     [m] on the shaft, where forces act or responses are read besides the bearings. ``finer``: steps
-    by which elements and reduction are finer than the accuracy asks for. ``checks``: whether errors
-    are looked for with such a model. ``progress`` is called with how far a long analysis is.
-    ``top_speed`` [rad/s]: to which elements are fitted; ``coarse``: the model of lower degrees, of
-    a finer one.
+    by which elements and reduction are finer than the accuracy requires. ``checks``: whether errors
+    are estimated with a finer model. ``progress`` is called with the progress of a long analysis.
+    ``top_speed`` [rad/s]: speed up to which elements are sized; ``coarse``: the model of lower
+    degree, in a refined one.
     """
 
     def __init__(
@@ -82,12 +82,12 @@ class Scene(Statics):
         self._at_rows: dict[tuple[int, bytes], FreeMotions] = {}
 
     def at(self, speed: Array) -> Scene:
-        """The same machine and coordinates at other speeds [rad/s], ascending."""
+        """Return the same machine and coordinates at other speeds [rad/s], ascending."""
         return self._like(speed, self.finer)
 
     def whirling(self, multiple: float) -> Scene:
-        """The same machine with squeeze films whose journals whirl at a ``multiple`` of the speed
-        of the spindle."""
+        """Return the same machine with squeeze films whose journals whirl at a ``multiple`` of the
+        speed of the spindle."""
         if multiple == self.whirl or not any(film.stiff for film in self.spindle.dampers):
             return self
         other = self.at(self.speed)
@@ -95,7 +95,7 @@ class Scene(Statics):
         return other
 
     def under(self, conditions: Conditions) -> Scene:
-        """The same machine at the same speeds under other conditions."""
+        """Return the same machine at the same speeds under other conditions."""
         same = (self.speed, self.max_frequency, self.ports, self.finer)
         other = Scene(self.spindle, conditions, *same, self.memo, self.clock, self.checks)
         other.top_speed = self.top_speed
@@ -103,7 +103,7 @@ class Scene(Statics):
 
     @cached_property
     def refined(self) -> Scene:
-        """The same machine with a finer model.
+        """This machine with a finer model.
 
         Raises
         ------
@@ -111,18 +111,18 @@ class Scene(Statics):
         """
         finer = self._like(self.speed, self.finer + 1)
         finer.coarse = None if self.conditions.element_length is not None else self.rotor
-        for speed, here, there in zip(self.speed, self.outcome, finer.outcome, strict=True):
-            if bool(here) != bool(there):
+        for speed, coarse, fine in zip(self.speed, self.outcome, finer.outcome, strict=True):
+            if bool(coarse) != bool(fine):
                 raise NoSolution(
                     f"whether the machine has a state at {speed * RPM.factor:.6g} rpm hangs on how "
-                    f"fine its model is ({here or there}): leave that speed out, or hold it better"
+                    f"fine its model is ({coarse or fine}): leave that speed out, or hold it better"
                 )
         return finer
 
     def _like(self, speed: Array, finer: int) -> Scene:
         same = (self.spindle, self.conditions, speed, self.max_frequency, self.ports)
         other = Scene(*same, finer, self.memo, self.clock, self.checks)
-        # a model serves other speeds, but is as fine as the highest speed of the case asks
+        # a model serves other speeds, but is as fine as the highest speed of the case requires
         other.top_speed, other.bodies = self.top_speed, self.bodies
         other.coarse, other.own_speeds = self.coarse, self.own_speeds
         other.whirl = self.whirl
@@ -130,12 +130,12 @@ class Scene(Statics):
 
     @property
     def fineness(self) -> Fineness:
-        """What is asked of elements and reduction; standard ones where their length is given.
+        """Required fineness of elements and reduction; standard elements where a length is given.
 
-        A frame that turns with the shaft sees whirl at ω + Ω at the frequency ω.
+        A rotating frame observes whirl of frequency ω + Ω at the frequency ω.
         """
-        given = self.conditions.element_length is not None
-        accuracy = None if given else self.conditions.accuracy
+        fixed_length = self.conditions.element_length is not None
+        accuracy = None if fixed_length else self.conditions.accuracy
         turning = self.top_speed if self.conditions.formulation == ROTATING else 0.0
         highest = self.max_frequency + turning / (2.0 * math.pi)
         return Fineness(highest, self.top_speed, accuracy, self.finer)
@@ -157,7 +157,7 @@ class Scene(Statics):
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """Sentences about choices of the case without which results are misread."""
+        """Notes on choices of the case without which results are misread."""
         flow = self.conditions.heat_flow
         frame = frame_notes(self.conditions.formulation)
         flows = () if flow is None else (flow.note,)
@@ -166,12 +166,12 @@ class Scene(Statics):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What a designer should know about the machine at these speeds."""
+        """Warnings about the machine at these speeds."""
         return tuple(machine_warnings(self))
 
     def node(self, at: str | float | Place) -> int:
-        """The node shown of a named point, of a station on the shaft or of a place, among those of
-        all rotors."""
+        """Return the displayed node of a named point, a station on the shaft or a place, among
+        those of all rotors."""
         if at not in self._nodes:
             self._nodes[at] = self.mesh.node_at(*self.spindle.place(at))
         return self._nodes[at]
@@ -189,7 +189,7 @@ class Scene(Statics):
         lambda self, shared: shared.on_springs_of(self.spindle),
     )
     def rotor(self) -> Structure:
-        """Terms of the machine and its components, each reduced when it is first asked for."""
+        """Terms of the machine and its components, each reduced on first use."""
         acting = [load.at for load in self.conditions.loads] if self.loaded else []
         places = [self.spindle.place(at) for at in (*self.ports, *acting)]
         return Structure(
@@ -209,8 +209,8 @@ class Scene(Statics):
 
     @cached_property
     def stop_speeds(self) -> Array:
-        """Lowest speed at which each sleeve stands at its stop (sleeves,) [rad/s], NaN: at none. It
-        is met there, or left on the way back from a higher speed."""
+        """Lowest speed at which each sleeve rests on its stop (sleeves,) [rad/s], NaN where none
+        does. The stop closes there on the run-up, or opens on the run-down."""
         balanced = self.conditions.heat_flow or self.conditions.films
         if not (self.loaded or balanced or self.preload.rubs.any()):
             return self.preload.stop_speeds()
@@ -218,33 +218,33 @@ class Scene(Statics):
         return np.array([self._stop_speed(k, stopped[:, k]) for k in range(stopped.shape[1])])
 
     def _stop_speed(self, sleeve: int, stopped: Flags) -> float:
-        """The same under loads across the axis, with friction, or with films or temperatures that
-        follow from the state, between the speeds of the case."""
+        """Solve for the lowest speed of a sleeve on its stop, NaN where none, under loads across
+        the axis, friction, films or temperatures that follow from the state."""
         from scipy.optimize import brentq
 
         first = np.flatnonzero(stopped)
         if not first.size:
             return math.nan
-        known = self.preload.stop_gaps()[:, sleeve]
+        gaps = self.preload.stop_gaps()[:, sleeve]
         high = float(self.bearing_speed[first[0]])
         low = float(self.bearing_speed[first[0] - 1]) if first[0] else 0.0
-        ends = {high: float(known[first[0]])}
+        gap_at = {high: float(gaps[first[0]])}
         if first[0]:
-            ends[low] = float(known[first[0] - 1])
+            gap_at[low] = float(gaps[first[0] - 1])
 
         def gap(speed: float) -> float:
-            if speed in ends:
-                return ends[speed]
+            if speed in gap_at:
+                return gap_at[speed]
             return float(self.at(np.array([speed])).preload.stop_gaps()[0, sleeve])
 
         if low >= high or gap(low) <= 0.0:
             return low
         while True:
-            met = cast(float, brentq(gap, low, high, xtol=MEETING))
+            root = cast(float, brentq(gap, low, high, xtol=MEETING))
             # on the way back the gap touches zero before it opens: where friction takes over
-            if met - BESIDE <= low or gap(met - BESIDE) > 0.0:
-                return met
-            high = met - BESIDE
+            if root - BESIDE <= low or gap(root - BESIDE) > 0.0:
+                return root
+            high = root - BESIDE
 
     @property
     def _lateral_inputs(self) -> tuple[Any, ...]:
@@ -252,8 +252,8 @@ class Scene(Statics):
 
     @cached_property
     def state(self) -> State:
-        """Speeds, tangents and sleeves that stand, at the usable speeds: those at stops, and those
-        that dry friction holds against motions that vanish."""
+        """Speeds, tangents and blocked sleeves at the usable speeds: sleeves at stops, and those
+        that dry friction holds against infinitesimal motions."""
         rubbing = np.array([sleeve.friction > 0.0 for sleeve in self.spindle.sleeves], dtype=bool)
         tangents = in_spindle_frame(self.spindle.seats, self.seat_stiffness)
         stops = self.stopped | rubbing
@@ -274,23 +274,23 @@ class Scene(Statics):
 
     @cached_property
     def pushed_away(self) -> Flags:
-        """Usable speeds (usable,) at which supports of negative stiffness push the shaft away from
-        where it stands."""
+        """Usable speeds (usable,) at which negative stiffness of supports makes the static
+        equilibrium unstable."""
         if not any(support.pushes_away for support in self.spindle.supports):
             return np.zeros(len(self.usable), dtype=bool)
         return ~stands(self.rotor, self.state._replace(standing=True), self.force)
 
     @stage
     def subsystems(self) -> list[tuple[Component, ...]]:
-        """Components that move together."""
+        """Groups of coupled components."""
         drawbar = self.conditions.axial_stiffening
         return subsystems(self.rotor, self.state, drawbar=drawbar)
 
     def linear(self, k: int, rows: Indices | None = None) -> Linear:
-        """The equation of motion of a subsystem at the usable speeds, or at some ``rows`` of
+        """Return the equation of motion of a subsystem at the usable speeds, or at some ``rows`` of
         them."""
         chosen: Any = slice(None) if rows is None else rows
-        speed, tangents, stops = (each[chosen] for each in self.state[:3])
+        speed, tangents, stops = (values[chosen] for values in self.state[:3])
         state = self.state._replace(speed=speed, tangents=tangents, stops=stops)
         force = None if self.force is None else self.force[chosen]
         softened = self.conditions.formulation == SOFTENED
@@ -300,18 +300,18 @@ class Scene(Statics):
         return self.timed(f"{self.name_of(k)} system", solve)
 
     def system(self, k: int) -> FreeMotions:
-        """A subsystem with its free motions."""
+        """Return a subsystem with its free motions, solved once."""
         if k not in self.systems:
             self.systems[k] = self.system_at(k)
         return self.systems[k]
 
     def system_at(self, k: int, rows: Indices | None = None, *, few: bool = False) -> FreeMotions:
-        """The same at some ``rows`` of the usable speeds alone; ``few``: for receptances at a few
-        frequencies, for which modes are not always solved for."""
+        """Return a subsystem with its free motions at some ``rows`` of the usable speeds; ``few``:
+        for receptances at few frequencies, which do not always need modes."""
         if k in self.systems and rows is not None:
             return self.systems[k].at(rows)
-        every = rows is None or len(rows) == len(self.usable)
-        key = k, b"" if every or rows is None else rows.tobytes()
+        all_rows = rows is None or len(rows) == len(self.usable)
+        key = k, b"" if all_rows or rows is None else rows.tobytes()
         if key not in self._at_rows:
             linear, name = self.linear(k, rows), f"{self.name_of(k)} modes"
             if few and not linear.isotropic and linear.loss is None:
@@ -327,18 +327,18 @@ class Scene(Statics):
 
     @property
     def _ceiling(self) -> float:
-        """|λ| [rad/s] up to which modes have their loss: all that are shown, and all whirl that the
-        loss of a shaft which turns faster drives."""
+        """Largest |λ| [rad/s] of modes with hysteretic loss: all modes shown, and all whirl that
+        the loss of a faster shaft drives."""
         return BEYOND * max(self.fineness.band, float(np.abs(self.speed).max(initial=0.0)))
 
     def name_of(self, k: int) -> str:
-        """The motions of a subsystem, "bending", "bending and axial"."""
+        """Return the motions of a subsystem: "bending", "bending and axial" …."""
         order = ("bending", "axial", "torsion")
         motions = {line.kind for c in self.subsystems[k] for line in c.lines}
         return " and ".join(name for name in order if name in motions) or "housing"
 
     def with_motions(self, motions: Iterable[str]) -> list[int]:
-        """Subsystems in which some of "bending", "axial" and "torsion" take part."""
+        """Return the subsystems in which any of "bending", "axial" and "torsion" takes part."""
         wanted = set(motions)
         return [
             k
@@ -347,13 +347,13 @@ class Scene(Statics):
         ]
 
     def owner(self, at: str | float | Place, direction: str) -> int:
-        """The subsystem in which a point moves in a direction."""
+        """Return the subsystem in which a point moves in a direction."""
         rotor, x = self.spindle.place(at)
         component = self.rotor.owner[self.rotor.node(rotor, x)[position(direction)]]
         return self._subsystem_of[int(component)]
 
     @cached_property
     def _subsystem_of(self) -> dict[int, int]:
-        """The subsystem of every component, by its place among all."""
-        every = self.rotor.components
-        return {every.index(c): k for k, parts in enumerate(self.subsystems) for c in parts}
+        """Subsystem of every component, by the index of the component."""
+        components = self.rotor.components
+        return {components.index(c): k for k, parts in enumerate(self.subsystems) for c in parts}

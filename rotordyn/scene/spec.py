@@ -1,4 +1,4 @@
-"""What every spec of an analysis has in common: rules against the machine that it is asked of."""
+"""What every spec of an analysis has in common: rules against the machine that it is applied to."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Setting:
 
     @property
     def loaded(self) -> bool:
-        """Static loads act across the axis on the state of the bearings."""
+        """Whether static loads act across the axis on the state of the bearings."""
         return acts_across(self.spindle, self.conditions)
 
     @property
@@ -33,45 +33,45 @@ class Setting:
         return max(self.speeds, default=math.inf) if all(map(known, self.speeds)) else math.nan
 
     def within(self, speed: float) -> bool:
-        """A speed lies within those of the case, as far as these are known."""
+        """Return whether a speed lies within those of the case, as far as these are known."""
         if not self.speeds or math.isnan(self.top):
             return True
         return not (speed < min(self.speeds) - 1e-6 or speed > self.top + 1e-6)
 
 
 def acts_across(spindle: Spindle, conditions: Conditions) -> bool:
-    """Loads, weight or misaligned seats act across the axis on the state of the bearings."""
+    """Return whether loads, weight or misaligned seats act across the axis on the bearings."""
     loads = [load.on_axis for load in conditions.loads]
-    acting = [*conditions.pull[1:], *(each for load in loads for each in (*load[1:3], *load[4:]))]
-    acting += [each for seat in spindle.seats for each in seat.misalignment.offset]
-    return bool(spindle.seats) and any(each for each in acting if known(each))
+    acting = [*conditions.pull[1:], *(value for load in loads for value in (*load[1:3], *load[4:]))]
+    acting += [value for seat in spindle.seats for value in seat.misalignment.offset]
+    return bool(spindle.seats) and any(value for value in acting if known(value))
 
 
 class Spec(Description):
-    """What a case asks of a machine."""
+    """What a case requests of one analysis."""
 
     __slots__ = ()
 
     def faults_on(self, setting: Setting) -> Faults:
-        """What of the machine contradicts it: path of keys from the spec on, and a sentence."""
+        """Return contradictions with the machine: path of keys from the spec on, and a sentence."""
         return ()
 
     def last_faults_on(self, setting: Setting) -> Faults:
-        """The same, where it takes a computation and all else must be right."""
+        """Return contradictions that only a computation shows; all else must be right."""
         return ()
 
     def last_faults_of(self, bearing: BallBearing) -> Faults:
-        """What of a single bearing contradicts it, likewise."""
+        """Return contradictions with a single bearing that only a computation shows."""
         return ()
 
     @property
     def heat_flows(self) -> tuple[HeatFlow, ...]:
-        """How it lets heat flow off, where it says so itself."""
+        """Heat flows that the spec itself gives."""
         return ()
 
 
 def held_twice(setting: Setting) -> Faults:
-    """A fault where rigid supports hold a rigid rotor more often than they can."""
+    """Yield a fault where rigid supports make a rigid rotor statically indeterminate."""
     from rotordyn.equation.holding import holds_twice
 
     if setting.conditions.rotor == "rigid" and holds_twice(setting.spindle):
@@ -83,9 +83,9 @@ def held_twice(setting: Setting) -> Faults:
 
 
 def placed(at: str | float, spindle: Spindle, path: Path, *, rotors: bool = False) -> Faults:
-    """A fault where a point is not known or a station [m] not on the shaft.
+    """Yield a fault where a point is not known or a station [m] not on the shaft.
 
-    ``rotors``: points of further rotors will do as well.
+    ``rotors``: points of further rotors are allowed too.
     """
     if not isinstance(at, str):
         yield from on_the_shaft("load", at, spindle.shaft.reach, path)
@@ -96,7 +96,7 @@ def placed(at: str | float, spindle: Spindle, path: Path, *, rotors: bool = Fals
 
 
 def turning(at: str | float, spindle: Spindle, path: Path) -> Faults:
-    """A fault where what is out of balance does not turn."""
+    """Yield a fault where an unbalance is on a rotor that stands still."""
     if isinstance(at, str) and at not in spindle.places:
         return
     rotor = spindle.place(at).rotor
@@ -107,7 +107,7 @@ def turning(at: str | float, spindle: Spindle, path: Path) -> Faults:
 def spanned(
     start: str | float, to: str | float, spindle: Spindle, path: Path, *, rotors: bool = False
 ) -> Faults:
-    """Faults of a span: both ends are somewhere, the second behind the first, on one rotor."""
+    """Yield faults of a span: both ends must exist on one rotor, the second behind the first."""
     faults = [*placed(start, spindle, (*path, "from"), rotors=rotors)]
     faults += placed(to, spindle, (*path, "to"), rotors=rotors)
     yield from faults
@@ -117,5 +117,5 @@ def spanned(
     if last.x <= first.x:
         yield (*path, "to"), "no length left: allowed: a station behind that of from"
     if first.rotor != last.rotor:
-        given = f"given {first.rotor} and {last.rotor}"
-        yield (*path, "to"), f"both must be on one rotor: {given}"
+        rotors_given = f"given {first.rotor} and {last.rotor}"
+        yield (*path, "to"), f"both must be on one rotor: {rotors_given}"

@@ -16,56 +16,56 @@ Inputs = tuple[Any, ...]
 
 @dataclass
 class Memo:
-    """Values of stages by name and by a number of the inputs that they follow from, with these.
+    """Values of stages by name and by a hash of their inputs, with these inputs.
 
     Machines that differ little (variants, other speeds, a finer model) share one memo. ``ahead``:
-    preload states of machines to come, which were solved together, with the inputs that each
-    follows from.
+    preload states of later machines, which are solved together, with the inputs of each.
     """
 
     ahead: list[tuple[Inputs, Any]] = field(default_factory=list)
     values: dict[str, dict[int, list[tuple[Inputs, Any]]]] = field(default_factory=dict)
 
     def known(self, name: str, inputs: Inputs) -> tuple[Any] | None:
-        """The value of a stage of the same inputs, in a tuple, or None."""
-        for other, value in self.values.get(name, {}).get(_number(inputs), ()):
+        """Return the value of a stage for equal inputs, in a tuple, or None."""
+        for other, value in self.values.get(name, {}).get(_hash(inputs), ()):
             if other == inputs:
                 return (value,)
         return None
 
     def keep(self, name: str, inputs: Inputs, value: Any) -> None:
-        """Remember a value."""
+        """Store a value."""
         values = self.values.setdefault(name, {})
-        values.setdefault(_number(inputs), []).append((inputs, value))
+        values.setdefault(_hash(inputs), []).append((inputs, value))
 
     def forget(self, latest: int) -> None:
-        """Keep of every stage the first value, and so many of the latest."""
+        """Keep the first and the ``latest`` most recent values of every stage."""
         for values in self.values.values():
-            every = [(number, one) for number, kept in values.items() for one in kept]
+            entries = [(number, entry) for number, kept in values.items() for entry in kept]
             values.clear()
-            for number, one in [*every[:1], *every[1:][-latest:]]:
-                values.setdefault(number, []).append(one)
+            for number, entry in [*entries[:1], *entries[1:][-latest:]]:
+                values.setdefault(number, []).append(entry)
 
 
-def _number(inputs: Any) -> int:
-    """The same of equal inputs; many variants are compared."""
+def _hash(inputs: Any) -> int:
+    """Return a hash that equal inputs share, for a quick search among many variants."""
     try:
         return hash(inputs)
     except TypeError:
         pass
     if isinstance(inputs, Mapping):
-        return hash(frozenset((key, _number(value)) for key, value in inputs.items()))
+        return hash(frozenset((key, _hash(value)) for key, value in inputs.items()))
     if isinstance(inputs, tuple):
-        return hash(tuple(map(_number, inputs)))
+        return hash(tuple(map(_hash, inputs)))
     if is_dataclass(inputs):
-        return hash(tuple(_number(getattr(inputs, each.name)) for each in fields(inputs)))
+        return hash(tuple(_hash(getattr(inputs, item.name)) for item in fields(inputs)))
     return 0
 
 
 @dataclass
 class Clock:
-    """Seconds of every stage without those of stages inside it, and who ``asked`` for it first
-    ("": the case). ``reached``: stages of any machine that it times, taken from the memo or not."""
+    """Seconds of every stage without those of nested stages, and the stage that ``asked`` for it
+    first ("": the case). ``reached``: stages of any machine that it times, taken from the memo or
+    not."""
 
     seconds: dict[str, float] = field(default_factory=dict)
     asked: dict[str, str] = field(default_factory=dict)
@@ -81,20 +81,19 @@ class Clock:
         try:
             return work()
         finally:
-            _, inside = self._running.pop()
+            _, nested = self._running.pop()
             spent = time.perf_counter() - begin
-            self.seconds[name] = self.seconds.get(name, 0.0) + spent - inside
+            self.seconds[name] = self.seconds.get(name, 0.0) + spent - nested
             if self._running:
-                outer, before = self._running[-1]
-                self._running[-1] = outer, before + spent
+                outer, earlier = self._running[-1]
+                self._running[-1] = outer, earlier + spent
 
 
 class stage(property):  # noqa: N801
     """A shared result: a property solved on first use.
 
-    ``follows``: what of the machine it depends on beside its speeds; with it the value serves every
-    machine of the same memo for which that is the same. ``own``: makes the value of a machine from
-    such a shared one, where little of it depends on more.
+    ``follows``: inputs that the value depends on; all machines of the same memo with equal inputs
+    share it. ``own``: adapts the shared value to a machine, where little of it depends on more.
     """
 
     def __init__(
@@ -113,10 +112,10 @@ class stage(property):  # noqa: N801
 
         def _value(staged: Staged) -> Any:
             inputs = follows(staged) if follows else None
-            known = staged.memo.known(name, inputs) if inputs is not None else None
-            if known is not None:
+            stored = staged.memo.known(name, inputs) if inputs is not None else None
+            if stored is not None:
                 staged.reused.add(name)
-                return known[0]
+                return stored[0]
             value = staged.clock.timed(name, lambda: solve(staged))
             if inputs is not None:
                 staged.memo.keep(name, inputs, value)
@@ -129,7 +128,7 @@ class stage(property):  # noqa: N801
 def stage_of(
     follows: Callable[[Any], Inputs], own: Callable[[Any, Any], Any] = lambda staged, value: value
 ) -> Callable[[Callable[[Any], Any]], stage]:
-    """A stage whose value depends on ``follows`` alone, but for what ``own`` adds."""
+    """Return a stage whose value depends on ``follows`` alone, but for what ``own`` adds."""
     return lambda solve: stage(solve, follows, own)
 
 
@@ -146,13 +145,14 @@ class Staged:
         return self.clock.timed(name, work)
 
     def shared(self, name: str, inputs: Inputs, work: Callable[[], T]) -> T:
-        """What follows from ``inputs`` alone and is no stage, as most machines have none."""
-        known = self.memo.known(name, inputs)
-        if known is None:
-            known = (self.timed(name, work),)
-            self.memo.keep(name, inputs, known[0])
-        found: T = known[0]
-        return found
+        """Return a value that depends on ``inputs`` alone and is no stage, since few machines have
+        it."""
+        stored = self.memo.known(name, inputs)
+        if stored is None:
+            stored = (self.timed(name, work),)
+            self.memo.keep(name, inputs, stored[0])
+        value: T = stored[0]
+        return value
 
     @property
     def skipped(self) -> tuple[str, ...]:

@@ -1,4 +1,4 @@
-"""The machine as it stands at every speed: its axial state, and which speeds have a solution."""
+"""The static state of the machine at every speed, and which speeds have a solution."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ class Statics(Staged):
 
     @property
     def grounded(self) -> Spindle:
-        """The spindle's shaft by itself: its state along the axis knows of no further rotor."""
+        """The spindle's shaft alone: its axial state does not depend on further rotors."""
         return self.spindle.grounded
 
     @property
@@ -73,9 +73,9 @@ class Statics(Staged):
 
     @property
     def bearing_speed(self) -> Array:
-        """Speeds at which bearings are solved: only rest where their state at rest serves all.
+        """Speeds [rad/s] of solved bearing states; zero alone where the state at rest serves all.
 
-        As many as there are speeds where supports follow the speed.
+        Zero is repeated for every speed where supports depend on the speed.
         """
         if self.conditions.bearings != "static":
             return self.speed
@@ -84,7 +84,7 @@ class Statics(Staged):
 
     @property
     def state_speed(self) -> Array:
-        """The speed of every state at ``bearing_speed``; rest where one state serves all."""
+        """Speed [rad/s] of every state at ``bearing_speed``; 0 where one serves all speeds."""
         return self.speed if len(self.bearing_speed) == len(self.speed) else np.zeros(1)
 
     @property
@@ -100,41 +100,41 @@ class Statics(Staged):
 
     @property
     def axial_force(self) -> float:
-        """All that acts on the shaft along the axis: forces of the conditions, those of loads
-        included, and weight, towards +x [N]."""
+        """Total axial force on the shaft towards +x [N]: conditions, their loads, weight."""
         return self.conditions.total_axial_force + self.past.weight
 
     @property
     def past(self) -> Past:
-        """What happened from assembly on, and the weight along the axis that acts all the time."""
+        """Load history from assembly on, and the weight along the axis, which acts throughout."""
         weight = self.gravity * rotor_inertia(self.grounded).mass if self.gravity else 0.0
         return Past(self.conditions.history, weight)
 
     @property
     def loaded(self) -> bool:
-        """Something acts across the axis on the state of the bearings."""
+        """Whether something acts across the axis on the state of the bearings."""
         return acts_across(self.spindle, self.conditions)
 
     @cached_property
     def outcome(self) -> tuple[str, ...]:
         """Per speed: empty, or why it has no physical solution."""
-        words: tuple[str, ...] = ("",) * len(self.bearing_speed)
+        texts: tuple[str, ...] = ("",) * len(self.bearing_speed)
         if self.spindle.seats:
-            words = self.preload.outcome
+            texts = self.preload.outcome
         if self.spindle.seats and self.temperatures is not self.conditions.temperatures:
-            found = zip(self.heat_balance.outcome, words, strict=True)
-            words = tuple(hot or word for hot, word in found)
-        words = tuple(word or more for word, more in zip(words, self.buckling, strict=True))
-        return tuple(words[row] for row in self.bearing_row)
+            pairs = zip(self.heat_balance.outcome, texts, strict=True)
+            texts = tuple(thermal or text for thermal, text in pairs)
+        texts = tuple(text or buckled for text, buckled in zip(texts, self.buckling, strict=True))
+        return tuple(texts[row] for row in self.bearing_row)
 
     def solved_only(self, values: Array) -> Array:
-        """``values`` (bearing speeds, …) at every speed of the case, NaN without a solution."""
-        taken = values[self.bearing_row].astype(float)
-        taken[np.array(self.outcome, dtype=str) != ""] = np.nan
-        return taken
+        """Expand ``values`` (bearing speeds, …) to all speeds of the case; NaN without a
+        solution."""
+        expanded = values[self.bearing_row].astype(float)
+        expanded[np.array(self.outcome, dtype=str) != ""] = np.nan
+        return expanded
 
     def require_solution(self) -> None:
-        """Go on only where some speed has a solution.
+        """Check that some speed has a solution.
 
         Raises
         ------
@@ -147,26 +147,25 @@ class Statics(Staged):
     def usable(self) -> Indices:
         """Rows of the speeds with a solution; NoSolution where there is none."""
         self.require_solution()
-        return np.flatnonzero([word == "" for word in self.outcome])
+        return np.flatnonzero([reason == "" for reason in self.outcome])
 
     def scattered(self, values: NDArray[Any]) -> NDArray[Any]:
-        """Values at the usable speeds (first axis) over all speeds; NaN elsewhere, of flags
-        False."""
+        """Expand values at usable speeds (first axis) to all; NaN elsewhere, False for flags."""
         if len(values) == len(self.speed):
             return values
-        none: Any = complex(np.nan, np.nan) if np.iscomplexobj(values) else np.nan
-        none = False if values.dtype == bool else none
-        whole = np.full((len(self.speed), *values.shape[1:]), none, dtype=values.dtype)
-        whole[self.usable] = values
-        return whole
+        missing: Any = complex(np.nan, np.nan) if np.iscomplexobj(values) else np.nan
+        missing = False if values.dtype == bool else missing
+        expanded = np.full((len(self.speed), *values.shape[1:]), missing, dtype=values.dtype)
+        expanded[self.usable] = values
+        return expanded
 
     @cached_property
     def bodies(self) -> Spindle:
-        """The machine without what shafts and housings do not depend on: springs and stops of
-        sleeves, words."""
-        with unchecked():  # of a machine that is checked
+        """The machine as shafts and housings depend on it: sleeves with a standard spring and no
+        stop, no texts."""
+        with unchecked():  # the machine is checked already
             sleeves = tuple(
-                replace(sleeve, spring=_kind(sleeve), stop_travel=math.inf)
+                replace(sleeve, spring=_standard_spring(sleeve), stop_travel=math.inf)
                 for sleeve in self.spindle.sleeves
             )
             return replace(self.spindle, sleeves=sleeves, title="", note="", references=())
@@ -187,29 +186,29 @@ class Statics(Staged):
 
     @stage_of(lambda self: self.seated)
     def unloaded(self) -> PreloadState:
-        """The same without loads across the axis; one of all tools in the nose."""
+        """Preload state at ``bearing_speed`` without loads across the axis, shared by all tools."""
         acting = self.axial_force, self.temperatures, self.past
         inputs = self.seated if self.memo.ahead else ()
-        for other, state in self.memo.ahead:
-            if other == inputs:
+        for known_inputs, state in self.memo.ahead:
+            if known_inputs == inputs:
                 return with_friction(replace(state, past=self.past))
-        given = self.grounded, self.bearing_speed, self.law, *acting
-        if (oiled := self.conditions.films) is None:
-            return operating_state(*given)
+        args = self.grounded, self.bearing_speed, self.law, *acting
+        if (oil := self.conditions.films) is None:
+            return operating_state(*args)
         from rotordyn.preload.on_films import on_films
 
-        return on_films(lambda films: operating_state(*given, films), oiled.oil, oiled.temperature)
+        return on_films(lambda films: operating_state(*args, films), oil.oil, oil.temperature)
 
     @property
     def alone(self) -> bool:
-        """Its state without loads across the axis is not solved together with other machines."""
+        """Whether its state without loads across the axis is solved without other machines."""
         conditions = self.conditions
         iterated = conditions.heat_flow or conditions.films
         return not self.spindle.seats or bool(iterated)
 
     @property
     def temperatures(self) -> Temperatures | None:
-        """Given ones, or those at which the heat of the bearings flows off."""
+        """Prescribed temperatures, or those of the heat balance."""
         given = self.conditions.temperatures
         balanced = given is None and self.conditions.heat_flow is not None and self.spindle.seats
         return self.heat_balance.temperatures if balanced else given
@@ -217,35 +216,35 @@ class Statics(Staged):
     @cached_property
     def heat_balance(self) -> HeatBalance:
         """Temperatures at ``bearing_speed`` where the conditions have a heat flow."""
-        return self.shared("heat balance", self._axial_inputs, self._balanced)
+        return self.shared("heat balance", self._axial_inputs, self._solve_heat_balance)
 
-    def _balanced(self) -> HeatBalance:
+    def _solve_heat_balance(self) -> HeatBalance:
         from rotordyn.preload.heat_balance import heat_balance
 
-        asked = self.conditions.heat_flow
-        assert asked is not None
+        heat_flow = self.conditions.heat_flow
+        assert heat_flow is not None
 
-        passed = self.past.speeds if self.spindle.rubs else ()
-        speed = np.union1d(self.bearing_speed, passed)
+        history_speeds = self.past.speeds if self.spindle.rubs else ()
+        speed = np.union1d(self.bearing_speed, history_speeds)
 
-        found = heat_balance(self.warm(speed), speed, self.grounded, asked.flow)
-        words, every = dict(zip(speed.tolist(), found.outcome, strict=True)), self.bearing_speed
-        lost = next((word for at, word in words.items() if word and at not in every), "")
-        before = lost and f"on the way there, {lost}"
-        return found._replace(outcome=tuple(words[at] or before for at in every.tolist()))
+        balance = heat_balance(self.warm(speed), speed, self.grounded, heat_flow.flow)
+        texts, wanted = dict(zip(speed.tolist(), balance.outcome, strict=True)), self.bearing_speed
+        failed = next((text for at, text in texts.items() if text and at not in wanted), "")
+        earlier = failed and f"on the way there, {failed}"
+        return balance._replace(outcome=tuple(texts[at] or earlier for at in wanted.tolist()))
 
     def warm(self, speed: Array) -> Callable[[Temperatures], PreloadState]:
-        """The preload state without loads across the axis at ``speed`` [rad/s], a function of
-        temperatures, sought from the state of its last call."""
+        """Return the preload state without loads across the axis at ``speed`` [rad/s] as a function
+        of temperatures; each call starts from the state of the last one."""
         acting = self.grounded, speed, self.law, self.axial_force
         last: PreloadState | None = None
 
-        def solve(given: Temperatures) -> PreloadState:
+        def solve(temperatures: Temperatures) -> PreloadState:
             nonlocal last
             if last is None or last.rubs.any():
-                last = operating_state(*acting, given, self.past)
+                last = operating_state(*acting, temperatures, self.past)
             else:
-                last = at_temperatures(last, given)
+                last = at_temperatures(last, temperatures)
             return last
 
         return solve
@@ -271,13 +270,13 @@ class Statics(Staged):
 
     @stage_of(lambda self: (*self._axial_inputs, self.conditions))
     def buckling(self) -> tuple[str, ...]:
-        """Per speed of ``bearing_speed``: empty, or that the shaft buckles."""
+        """Message per speed of ``bearing_speed``: empty, or that the shaft buckles."""
         seats = self.spindle.seats
         tangents = self.preload.seat_stiffness() if seats else _no_seats(self.bearing_speed, 5, 5)
         return self.buckled(self._seat_load, tangents, self.state_speed)
 
     def buckled(self, seat_load: Array, seat_stiffness: Array, speed: Array) -> tuple[str, ...]:
-        """Per state with other loads (states, seats) and tangents of the bearings: as above."""
+        """Return messages as ``buckling``, for other bearing loads (states, seats) and tangents."""
         if not self.conditions.axial_stiffening:
             return ("",) * len(speed)
         machine = self.grounded, speed, lambda: self.rotor
@@ -287,9 +286,9 @@ class Statics(Staged):
         return Loading(*machine, seat_load, seat_stiffness, self._along, cause).outcomes()
 
     def bending_force(self, seat_load: Array | None = None) -> Array | None:
-        """Axial force that acts on bending (states, elements) [N]; None where it shall not.
+        """Return the axial force on bending (states, elements) [N]; None without axial stiffening.
 
-        At ``bearing_speed``, or under other axial loads of the bearings (states, seats).
+        It is that at ``bearing_speed``, or under other axial loads of the bearings (states, seats).
         """
         if not self.conditions.axial_stiffening:
             return None
@@ -297,8 +296,8 @@ class Statics(Staged):
         return along.bending(self.mesh.middle)
 
     def _along(self, spindle: Spindle, seat_load: Array, share: float = 1.0) -> AxialForce:
-        """Under axial loads of the bearings (states, seats) and all forces of the conditions, or a
-        ``share`` of both."""
+        """Return the axial force in the shaft under bearing loads (states, seats) and all forces of
+        the conditions, each times ``share``."""
         acting, gravity = self.conditions, share * self.gravity
         force, tension = share * acting.axial_force, share * acting.tension
         points = tuple((x, share * push) for x, push in self._point_forces)
@@ -312,38 +311,38 @@ class Statics(Staged):
 
     @property
     def _axial_inputs(self) -> tuple[Any, ...]:
-        """What the preload state follows from."""
+        """All inputs of the preload state."""
         conditions = self.conditions
         forces = self.axial_force, conditions.axial_force, self.gravity, conditions.temperatures
-        warm = conditions.heat_flow, conditions.films
+        heat = conditions.heat_flow, conditions.films
         speeds = self.bearing_speed.tobytes(), self.state_speed.tobytes()
         acting = conditions.history, self._point_forces, *speeds
-        inputs = (self.spindle, self.law, *forces, warm, *acting)
+        inputs = (self.spindle, self.law, *forces, heat, *acting)
         return (*inputs, *self._lateral_inputs) if self.loaded else inputs
 
     @property
     def seated(self) -> tuple[Any, ...]:
-        """What the preload state without loads across the axis follows from: of the shaft only
-        sections from the foremost seat on, and those between seats, supports that hold it along
-        the axis and what they shift from."""
-        own, shaft = self.grounded, self.spindle.shaft
-        reference = getattr(own.shortening, "reference", math.inf)
-        held = (support.x for support in own.supports if support.along)
-        front = min((*(seat.x for seat in own.seats), *held, reference))
+        """Inputs of the preload state without loads across the axis: of the shaft the sections that
+        reach behind the foremost of seats, supports along the axis and reference of the
+        shortening."""
+        part, shaft = self.grounded, self.spindle.shaft
+        reference = getattr(part.shortening, "reference", math.inf)
+        axial_supports = (support.x for support in part.supports if support.along)
+        front = min((*(seat.x for seat in part.seats), *axial_supports, reference))
         behind = tuple(
             (round(left, 9), section)  # stations add up from the tip of the tool
             for left, section in zip(shaft.boundaries, shaft.sections, strict=False)
             if left + section.length > front
         )
-        machine = self.law, own.seats, own.sleeves, own.supports, own.shortening, behind
+        machine = self.law, part.seats, part.sleeves, part.supports, part.shortening, behind
         conditions = self.conditions
-        oiled = conditions.temperatures, conditions.heat_flow, conditions.films
-        acting = self.axial_force, self.past, *oiled
+        thermal = conditions.temperatures, conditions.heat_flow, conditions.films
+        acting = self.axial_force, self.past, *thermal
         return (*machine, *acting, self.bearing_speed.tobytes())
 
     @property
     def _lateral_inputs(self) -> tuple[Any, ...]:
-        """What the state under loads across the axis follows from besides."""
+        """Further inputs of the state under loads across the axis."""
         raise NotImplementedError
 
     @property
@@ -352,22 +351,22 @@ class Statics(Staged):
 
     @stage_of(lambda self: (*self._axial_inputs, self.conditions.tangent))
     def tangents(self) -> Array:
-        """Bearing tangents in their own frames at ``bearing_speed`` (…, seats, 5, 5)."""
+        """Tangents at ``bearing_speed`` in the frames of the bearings (…, seats, 5, 5)."""
         return self.preload.seat_stiffness(self.conditions.tangent)
 
     @property
     def seat_stiffness(self) -> Array:
-        """Bearing tangents in their own frames at the usable speeds (usable, seats, 5, 5)."""
+        """Tangents at the usable speeds in the frames of the bearings (usable, seats, 5, 5)."""
         if not self.spindle.seats:
             return _no_seats(self.speed, 5, 5)
         return self.tangents[self.bearing_row[self.usable]]
 
 
-def _kind(sleeve: Sleeve) -> Spring:
-    """One that stands for any: a sleeve moves along the axis, or it does not."""
+def _standard_spring(sleeve: Sleeve) -> Spring:
+    """Return a standard spring of the same kind: the sleeve slides, or is locked."""
     return LOCKED if math.isinf(sleeve.spring.stiffness) else ANY_SPRING
 
 
 def _no_seats(speed: Array, *rest: int) -> Array:
-    """Values of no bearing at every speed (speeds, 0, …)."""
+    """Return an array (speeds, 0, …), for a machine without bearings."""
     return np.zeros((len(speed), 0, *rest))

@@ -1,6 +1,6 @@
-"""What a designer should know of a machine at its speeds, one sentence each.
+"""Warnings and notes about a machine at its speeds, one sentence each.
 
-Nothing is solved for them: they read the description and what the analyses had solved anyway.
+Nothing is solved for them: they read the description and what the analyses have solved already.
 """
 
 from __future__ import annotations
@@ -37,17 +37,17 @@ GUIDE_RULE = 0.1  # of the stiffness of a ball guide
 
 
 def machine_warnings(scene: Scene) -> Iterator[str]:
-    """Of the description, of its bearings where they were solved, of motions that grow."""
+    """Yield warnings about the description, its bearings where solved, and unstable motions."""
     top = float(scene.bearing_speed.max())
     yield from implausible(scene.spindle, top)
-    for name, ring, on, *between in released_fits(
+    for name, ring, on, *release in released_fits(
         scene.spindle, scene.bearing_speed, scene.temperatures
     ):
         yield (
-            f"bearing {name}: the fit of its {ring} ring lets go {_when(*between)}, from where on "
+            f"bearing {name}: the fit of its {ring} ring lets go {_when(*release)}, from where on "
             f"the ring grows without the {on}; raise its interference"
         )
-    yield from _yielding(scene)
+    yield from _yielding_rings(scene)
     if scene.conditions.heat_flow is not None:
         yield from scene.conditions.heat_flow.guesses()
     if scene.conditions.history and not scene.spindle.rubs:
@@ -58,7 +58,7 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
     if "preload" in scene.solved:
         yield from bearing_warnings(scene)
         yield from _films_rule(scene)
-        yield from _unshortened(scene)
+        yield from _missing_shortening(scene)
         yield from _guides(scene)
     for support in scene.spindle.supports:
         yield from support.held_at(scene.speed)
@@ -66,23 +66,23 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
     if systems:
         yield from instability(systems, scene.speed[scene.usable])
     elif not all(scene.outcome):
-        yield from _pushed_away(scene)
+        yield from _statically_unstable(scene)
 
 
 def _when(held: float, loose: float) -> str:
-    """Where a ring lets go, from a speed at which it holds (NaN: none is known) to one at which it
-    does not [rad/s]."""
-    first, last = (f"{each * RPM.factor:.0f}" for each in (held, loose))
+    """Say where a ring loosens, between a speed [rad/s] at which it is tight (NaN: none is known)
+    and one at which it is loose."""
+    first, last = (f"{speed * RPM.factor:.0f}" for speed in (held, loose))
     if math.isnan(held):
         return f"by {last} rpm"
     return f"at {last} rpm" if held == loose else f"between {first} and {last} rpm"
 
 
-def _pushed_away(scene: Scene) -> Iterator[str]:
-    """Where the negative stiffness of supports is stronger than what holds the shaft."""
+def _statically_unstable(scene: Scene) -> Iterator[str]:
+    """Warn where the negative stiffness of supports exceeds the stiffness that holds the shaft."""
     speed = scene.speed[scene.usable][scene.pushed_away]
     if speed.size:
-        names = ", ".join(each.name for each in scene.spindle.supports if each.pushes_away)
+        names = ", ".join(support.name for support in scene.spindle.supports if support.pushes_away)
         yield (
             f"the negative stiffness of support {names} is stronger than what holds the shaft at "
             f"{speed.size} of {len(scene.usable)} speeds, first at "
@@ -92,7 +92,7 @@ def _pushed_away(scene: Scene) -> Iterator[str]:
 
 
 def friction_notes(scene: Scene) -> Iterator[str]:
-    """How sleeves that rub are taken."""
+    """Note how sleeves with dry friction are modelled."""
     names = [sleeve.name for sleeve in scene.spindle.sleeves if sleeve.friction > 0.0]
     if names and "preload" in scene.solved:
         pressed = (scene.preload.stop_force > PRESSED) & (scene.preload.rubs[1:] > 0.0)
@@ -106,14 +106,14 @@ def friction_notes(scene: Scene) -> Iterator[str]:
 
 
 def arc_notes(scene: Scene) -> Iterator[str]:
-    """Turning balls with more than two contacts, whose motion is that of the resultants."""
+    """Note turning balls with more than two contacts: their motion is that of the resultants."""
     if "preload" not in scene.solved:
         return
     state = scene.preload
     turning = state.usable & (state.speed > 0.0)
     for seat, (balls, column) in zip(scene.spindle.seats, state.seat_states(), strict=True):
-        more = (balls.contacts[:, column] > 2).any(axis=1)
-        if (rows := np.flatnonzero(turning & more)).size:
+        multiple = (balls.contacts[:, column] > 2).any(axis=1)
+        if (rows := np.flatnonzero(turning & multiple)).size:
             yield (
                 f"balls of bearing {seat.name} have more than two contacts "
                 f"{_rows_when(state.speed, rows)}, not all of which roll: their orbit, defect "
@@ -122,7 +122,7 @@ def arc_notes(scene: Scene) -> Iterator[str]:
 
 
 def joint_notes(spindle: Spindle) -> Iterator[str]:
-    """Points at joints, which belong to the part in front."""
+    """Note points at joints, which belong to the part in front."""
     for joint, (name, x) in product(spindle.joints, spindle.points.items()):
         if abs(x - joint.x) <= SLACK:
             yield (
@@ -132,7 +132,7 @@ def joint_notes(spindle: Spindle) -> Iterator[str]:
 
 
 def ring_notes(scene: Scene) -> Iterator[str]:
-    """How far rings deform under their balls."""
+    """Note by how much flexible rings deform under their balls."""
     if not any(seat.flexible_rings for seat in scene.spindle.seats):
         return
     if "preload" not in scene.solved:
@@ -144,16 +144,17 @@ def ring_notes(scene: Scene) -> Iterator[str]:
     for seat, (balls, column) in zip(scene.spindle.seats, state.seat_states(), strict=True):
         if seat.flexible_rings is None:
             continue
-        found = ring_deflection(balls.rows((slice(None), column)))
+        deflection = ring_deflection(balls.rows((slice(None), column)))
         inner, outer = (
-            np.nanmax(each[state.usable], initial=0.0) * 1e6 for each in (found.inner, found.outer)
+            np.nanmax(ring[state.usable], initial=0.0) * 1e6
+            for ring in (deflection.inner, deflection.outer)
         )
-        known = seat.flexible_rings
-        words = (
-            f"{inner:.2g}" if known.inner else "rigid",
-            f"{outer:.2g}" if known.outer else "rigid",
+        bodies = seat.flexible_rings
+        texts = (
+            f"{inner:.2g}" if bodies.inner else "rigid",
+            f"{outer:.2g}" if bodies.outer else "rigid",
         )
-        parts.append(f"{seat.name} {' and '.join(words)}")
+        parts.append(f"{seat.name} {' and '.join(texts)}")
         largest[seat.name] = np.nanmax(balls.inner_load[state.usable, column], axis=1, initial=0.0)
     yield (
         f"rings deform, {_walls(scene.spindle, largest)}; raceways give at most [µm], inner and "
@@ -162,41 +163,41 @@ def ring_notes(scene: Scene) -> Iterator[str]:
 
 
 def _walls(spindle: Spindle, largest: Mapping[str, Array]) -> str:
-    """Which bearings share their walls, and how far their ``largest`` ball loads (speeds,) differ:
-    they are computed as if these were alike."""
-    pairs, apart = [], 0.0
+    """Say which bearings share walls, and by how much their ``largest`` ball loads (speeds,)
+    differ, which the computation takes as equal."""
+    pairs, spread = [], 0.0
     for one, other in combinations([s for s in spindle.seats if s.name in largest], 2):
         if not any(spindle.joined(one, other, which) for which in ("inner", "outer")):
             continue
         pairs.append(f"{one.name} and {other.name}")
         loads = np.stack([largest[one.name], largest[other.name]])
-        most = loads.max(axis=0)
-        differ = np.ptp(loads, axis=0) / np.where(most > 0.0, most, 1.0)
-        apart = max(apart, float(differ.max(initial=0.0)))
+        peak = loads.max(axis=0)
+        difference = np.ptp(loads, axis=0) / np.where(peak > 0.0, peak, 1.0)
+        spread = max(spread, float(difference.max(initial=0.0)))
     if not pairs:
         return "every bearing with walls of its own"
     return (
         f"those of {', '.join(pairs)} on common walls as if loaded alike (largest ball loads up to "
-        f"{100.0 * apart:.0f} % apart)"
+        f"{100.0 * spread:.0f} % apart)"
     )
 
 
-def _yielding(scene: Scene) -> Iterator[str]:
-    """Inner rings whose interference is too much for them."""
+def _yielding_rings(scene: Scene) -> Iterator[str]:
+    """Warn of inner rings that yield under their interference fit."""
     stress = ring_stress(scene.spindle, scene.bearing_speed, scene.temperatures)
-    for seat, column in zip(scene.spindle.seats, stress.T, strict=True):
-        if np.nanmax(column, initial=0.0) > YIELD:
-            row = int(np.nanargmax(column))
+    for seat, ring in zip(scene.spindle.seats, stress.T, strict=True):
+        if np.nanmax(ring, initial=0.0) > YIELD:
+            row = int(np.nanargmax(ring))
             yield (
                 f"bearing {seat.name}: its inner ring yields under its fit, "
-                f"{column[row] / 1e6:.0f} MPa after Tresca at "
+                f"{ring[row] / 1e6:.0f} MPa after Tresca at "
                 f"{scene.bearing_speed[row] * RPM.factor:.0f} rpm, allowed {YIELD / 1e6:g}; lower "
                 "the interference"
             )
 
 
 def _films_rule(scene: Scene) -> Iterator[str]:
-    """Bearings whose axial load the films change by more than a tenth."""
+    """Warn of bearings whose axial load oil films change by more than a tenth."""
     state = scene.unloaded if scene.conditions.films is not None else None
     if state is None or state.films is None:
         return
@@ -207,20 +208,20 @@ def _films_rule(scene: Scene) -> Iterator[str]:
     without, load = state.films.without, state.seat_load()
     with np.errstate(divide="ignore", invalid="ignore"):
         share = np.where(state.usable[:, None], np.abs(load / without - 1.0), np.nan)
-    for seat, column, before, now in zip(
+    for seat, column, dry_load, film_load in zip(
         scene.spindle.seats, share.T, without.T, load.T, strict=True
     ):
         if np.nanmax(column, initial=0.0) > FILMS_RULE:
             row = int(np.nanargmax(column))
             yield (
-                f"bearing {seat.name}: oil films change its axial load from {before[row]:.0f} to "
-                f"{now[row]:.0f} N at {state.speed[row] * RPM.factor:.0f} rpm; they are "
+                f"bearing {seat.name}: oil films change its axial load from {dry_load[row]:.0f} to "
+                f"{film_load[row]:.0f} N at {state.speed[row] * RPM.factor:.0f} rpm; they are "
                 "fully flooded ones, and starved ones do less"
             )
 
 
-def _unshortened(scene: Scene) -> Iterator[str]:
-    """A shaft that does not shorten with speed, where that would change axial loads by a tenth."""
+def _missing_shortening(scene: Scene) -> Iterator[str]:
+    """Warn where a missing centrifugal shortening would change axial loads by more than a tenth."""
     state, rows = scene.preload, np.flatnonzero(scene.preload.usable)
     if scene.spindle.shortening is not None or not rows.size or not scene.spindle.seats:
         return
@@ -236,7 +237,7 @@ def _unshortened(scene: Scene) -> Iterator[str]:
 
 
 def _guides(scene: Scene) -> Iterator[str]:
-    """Ball guides under loads at which their stiffness is far from that at the centre."""
+    """Warn of ball guides under loads at which their stiffness is far from that at the centre."""
     state = scene.preload
     guides = {s: s.ball_guide.law for s in scene.spindle.sleeves if s.ball_guide is not None}
     if state.lateral is None or not guides:
@@ -250,32 +251,32 @@ def _guides(scene: Scene) -> Iterator[str]:
                 turn = HALF_TURN_ABOUT_Y[1:3] if seat.thrust < 0 else 1.0
                 across += balls.load[:, column, 1:3] * turn
         force = np.where(state.usable, np.hypot(*across.T), 0.0)
-        given = force > 0.0
-        moved, mean, slope = np.zeros_like(force), *np.full((2, len(force)), law.stiffness)
-        for k in np.flatnonzero(given):
-            most = 2.0 * force[k] / law.stiffness  # it gives by less than 1.15 times as much
-            of = (law, force[k])
-            moved[k] = brentq(lambda x, g, f: float(g.force(x)) - f, 0.0, most, args=of)
-        mean[given], slope[given] = force[given] / moved[given], law.tangent(moved[given])
-        off = np.abs(np.array([mean, slope]) / law.stiffness - 1.0).max(axis=0)
-        row = int(off.round(3).argmax())  # the first of those that are alike
-        if off[row] > GUIDE_RULE:
+        loaded = force > 0.0
+        shift, mean, slope = np.zeros_like(force), *np.full((2, len(force)), law.stiffness)
+        for k in np.flatnonzero(loaded):
+            top = 2.0 * force[k] / law.stiffness  # the deflection is below 1.15 F/k
+            args = (law, force[k])
+            shift[k] = brentq(lambda x, g, f: float(g.force(x)) - f, 0.0, top, args=args)
+        mean[loaded], slope[loaded] = force[loaded] / shift[loaded], law.tangent(shift[loaded])
+        deviation = np.abs(np.array([mean, slope]) / law.stiffness - 1.0).max(axis=0)
+        row = int(deviation.round(3).argmax())  # the first of equal ones
+        if deviation[row] > GUIDE_RULE:
             yield (
                 f"sleeve {sleeve.name}: its ball guide carries {force[row]:.0f} N across at "
                 f"{state.speed[row] * RPM.factor:.0f} rpm, where it gives by "
-                f"{moved[row] * 1e6:.3g} µm ({mean[row] / 1e6:.4g} N/µm) and has "
+                f"{shift[row] * 1e6:.3g} µm ({mean[row] / 1e6:.4g} N/µm) and has "
                 f"{slope[row] / 1e6:.4g} N/µm for vibration; the {law.stiffness / 1e6:.4g} N/µm at "
                 "its centre are taken: give one of these as radial_stiffness instead"
             )
 
 
 def bearing_warnings(scene: Scene) -> Iterator[str]:
-    """Bearings pressed too hard, balls that slip or need much friction, shims that are small."""
+    """Yield warnings about contact pressure, slip, required friction and small shims."""
     state = scene.preload
     speed, usable = state.speed, state.usable
     for seat, (balls, column) in zip(scene.spindle.seats, state.seat_states(), strict=True):
         name, driven = f"bearing {seat.name}", balls.driven[:, column]
-        peak, grip = (
+        peak, required_friction = (
             np.where(usable, np.where(counted, part[:, column], 0.0).max(axis=-1), np.nan)
             for part, counted in (
                 (np.fmax(balls.inner_pressure, balls.outer_pressure), True),
@@ -283,27 +284,29 @@ def bearing_warnings(scene: Scene) -> Iterator[str]:
             )
         )
         slips = np.where(usable, _slipping(np.where(driven, balls.slipping[:, column], "")), "")
-        free = not any(slips)
+        no_slip = not any(slips)
         sentences = (
             pressed(name, speed, peak) or preloaded(name, speed, peak),
             slipping(name, speed, slips),
-            gripping(name, speed, grip) if free else "",
+            gripping(name, speed, required_friction) if no_slip else "",
         )
         yield from (sentence for sentence in sentences if sentence)
         if state.lateral is not None or state.force:
-            yield from _lost(name, speed, usable, balls.inner_load[:, column], seat)
+            yield from _unloaded_balls(name, speed, usable, balls.inner_load[:, column], seat)
     yield from state.small_shims()
 
 
 def _slipping(races: NDArray[np.str_]) -> NDArray[np.str_]:
-    """Of the races on which balls slip (states, balls) those of some ball (states,)."""
-    inner, outer = (((races == way) | (races == "both")).any(axis=1) for way in ("inner", "outer"))
+    """Combine the races on which balls slip (states, balls) into those of any ball (states,)."""
+    inner, outer = (((races == one) | (races == "both")).any(axis=1) for one in ("inner", "outer"))
     return np.select([inner & outer, inner, outer], ["both", "inner", "outer"], "")
 
 
-def _lost(name: str, speed: Array, usable: Flags, load: Array, seat: BearingSeat) -> Iterator[str]:
-    """Balls that loads from outside leave without load: all of them, or some of a bearing that
-    takes thrust one way."""
+def _unloaded_balls(
+    name: str, speed: Array, usable: Flags, load: Array, seat: BearingSeat
+) -> Iterator[str]:
+    """Warn of balls that static loads unload: all of them, or some of a bearing that takes thrust
+    in one direction."""
     idle = usable[:, None] & (load <= 0.0)
     rows = np.flatnonzero(idle.all(axis=1) if seat.bearing.both_ways else idle.any(axis=1))
     if not rows.size:
@@ -326,7 +329,7 @@ def _lost(name: str, speed: Array, usable: Flags, load: Array, seat: BearingSeat
 
 
 def _rows_when(speed: Array, rows: Indices) -> str:
-    """At which of the speeds [rad/s] something holds; of the last one alone, at that."""
+    """Say at which ``rows`` of the speeds [rad/s] something holds; a single one by its rpm."""
     if rows.size == 1:
         return f"at {speed[rows[0]] * RPM.factor:.0f} rpm"
     return which_of(speed, np.isin(np.arange(len(speed)), rows))

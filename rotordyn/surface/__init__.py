@@ -1,1 +1,1 @@
-"""The rotor as a body to look at: its surface, how it moves in a mode, the orbits of its axis."""
+"""The rotor as a body: its surface, its motion in a mode, the orbits of its axis."""

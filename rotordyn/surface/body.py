@@ -30,21 +30,21 @@ class Surface:
     lines: tuple[Whole, ...]
 
     def volume(self, name: str) -> float:
-        """Volume enclosed by the body ``name`` [m³]."""
+        """Return the volume enclosed by the body ``name`` [m³]."""
         a, b, c = self.points[self.triangles[self.body == self.names.index(name)]].swapaxes(0, 1)
         return float(np.einsum("ij,ij->", a, np.cross(b, c))) / 6.0
 
 
 def together(parts: Sequence[Surface]) -> Surface:
-    """All bodies of ``parts`` as one surface."""
+    """Return all bodies of ``parts`` as one surface."""
     shifts = np.cumsum([0, *(len(part.points) for part in parts)]).tolist()
     bodies = np.cumsum([0, *(len(part.names) for part in parts)]).tolist()
-    moved = list(zip(parts, shifts, bodies, strict=False))
+    shifted = list(zip(parts, shifts, bodies, strict=False))
     return Surface(
         points=np.concatenate([part.points for part in parts]),
-        triangles=np.concatenate([part.triangles + shift for part, shift, _ in moved]),
+        triangles=np.concatenate([part.triangles + shift for part, shift, _ in shifted]),
         station=np.concatenate([part.station for part in parts]),
-        body=np.concatenate([part.body + first for part, _, first in moved]),
+        body=np.concatenate([part.body + first for part, _, first in shifted]),
         names=tuple(name for part in parts for name in part.names),
-        lines=tuple(line + shift for part, shift, _ in moved for line in part.lines),
+        lines=tuple(line + shift for part, shift, _ in shifted for line in part.lines),
     )

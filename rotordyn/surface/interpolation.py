@@ -1,4 +1,4 @@
-"""Motion between two nodes: the element's own static shapes in bending, linear along the axis."""
+"""Displacements between nodes: static shape functions in bending, linear along the axis."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _PLANES = (("y", "thz", 1.0), ("z", "thy", -1.0))  # deflection, tilt, sign of t
 
 
 def between_nodes(node: Array, motion: Complex, phi: Array, x: Array) -> Complex:
-    """The six displacements at stations ``x``, shape (len(x), 6), beyond the ends those of the end.
+    """Interpolate the six displacements at stations ``x``, shape (len(x), 6); constant beyond ends.
 
     ``node``: stations (nodes,) [m], ascending; ``motion`` (nodes, 6): their displacements;
     ``phi`` (nodes − 1,): shear parameter of each element (``beam.shear_parameter``).
@@ -23,20 +23,20 @@ def between_nodes(node: Array, motion: Complex, phi: Array, x: Array) -> Complex
     left = np.clip(np.searchsorted(node, inside, side="right") - 1, 0, len(node) - 2)
     length = np.diff(node)[left]
     s = (inside - node[left]) / length
-    before, after = motion[left], motion[left + 1]
-    moved = before * (1.0 - s)[:, None] + after * s[:, None]
+    front, rear = motion[left], motion[left + 1]
+    between = front * (1.0 - s)[:, None] + rear * s[:, None]
     for deflection, tilt, sign in _PLANES:
         v, t = position(deflection), position(tilt)
-        ends = (before[:, v], sign * before[:, t], after[:, v], sign * after[:, t])
-        moved[:, v], slope = _bent(s, length, phi[left], ends)
-        moved[:, t] = sign * slope
-    return moved
+        ends = (front[:, v], sign * front[:, t], rear[:, v], sign * rear[:, t])
+        between[:, v], slope = _bending(s, length, phi[left], ends)
+        between[:, t] = sign * slope
+    return between
 
 
-def _bent(
+def _bending(
     s: Array, length: Array, phi: Array, ends: tuple[Complex, Complex, Complex, Complex]
 ) -> tuple[Complex, Complex]:
-    """Deflection and rotation at ``s`` = 0 … 1 from (v1, φ1, v2, φ2)."""
+    """Return deflection and rotation at ``s`` = 0 … 1 from those of the ends (v1, φ1, v2, φ2)."""
     v1, t1, v2, t2 = ends
     chord = (v2 - v1) / length
     first, second = t1 - chord, t2 - chord  # rotations of the ends against the chord
@@ -44,5 +44,5 @@ def _bent(
     shear = phi / (2.0 * (1.0 + phi))
     arc = (1.0 - s - shear * (1.0 - 2.0 * s), s - shear * (2.0 * s - 1.0))
     deflection = v1 + (v2 - v1) * s + length * bow * (first * arc[0] - second * arc[1])
-    turn = first * (1.0 - s) + second * s - 3.0 * bow * (first + second) / (1.0 + phi)
-    return deflection, chord + turn
+    relative = first * (1.0 - s) + second * s - 3.0 * bow * (first + second) / (1.0 + phi)
+    return deflection, chord + relative

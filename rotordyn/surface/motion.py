@@ -1,4 +1,4 @@
-"""How the points of a surface move in a mode: cross-sections stay plane and rigid."""
+"""Motion of the points of a surface in a mode: cross-sections stay plane and rigid."""
 
 from __future__ import annotations
 
@@ -17,47 +17,47 @@ STEEPEST = 0.35  # rad: tilt of a drawn cross-section, which grows by 1 / cos of
 
 
 def section_motion(shaft: Shaft, node: Array, shape: Complex, station: Array) -> Complex:
-    """The six displacements of the cross-sections at ``station``, shape (len(station), 6).
+    """Return the six displacements of the cross-sections at ``station``, shape (len(station), 6).
 
     ``shape`` (nodes, 6): those of the nodes at ``node`` [m]; between them the shaft bends as an
-    element of constant section does that nothing loads.
+    unloaded element of constant section.
     """
     return between_nodes(node, shape, _shear_parameters(shaft, node), station)
 
 
 def displacement(surface: Surface, shaft: Shaft, node: Array, shape: Complex) -> Complex:
-    """Complex displacement of every point of ``surface``, shape (n, 3), for small tilts.
+    """Return the complex displacement of every point of ``surface``, shape (n, 3), for small tilts.
 
     u + θ × r with r from the axis at the point's station; at phase τ of a period the motion is
     Re(u e^(iτ)).
     """
     stations, back = np.unique(surface.station, return_inverse=True)
-    moved = section_motion(shaft, node, shape, stations)[back.reshape(-1)]
+    motion = section_motion(shaft, node, shape, stations)[back.reshape(-1)]
     arm = surface.points - surface.station[:, None] * np.array([1.0, 0.0, 0.0])
-    return np.asarray(moved[:, :3] + np.cross(moved[:, 3:], arm))
+    return np.asarray(motion[:, :3] + np.cross(motion[:, 3:], arm))
 
 
 def reach(displacement: Complex) -> Array:
-    """Largest distance from rest over a period, shape (n,): half the longest axis of the ellipse.
+    """Return the largest distance from rest over a period, (n,): the ellipse's semi-major axis.
 
-    Of complex displacements (n, 3), √((|u|² + |u·u|) / 2).
+    It is √((|u|² + |u·u|) / 2) for complex displacements u (n, 3).
     """
     square = (np.abs(displacement) ** 2).sum(axis=-1)
     return np.sqrt((square + np.abs((displacement**2).sum(axis=-1))) / 2.0)
 
 
 def drawn_scale(displacement: Complex, shape: Complex, length: float) -> float:
-    """Factor by which the largest ``reach`` becomes ``length`` [m], less where tilts would not be
-    small: none of ``shape`` (nodes, 6) exceeds ``STEEPEST``. 1 where nothing moves."""
-    most = float(reach(displacement).max())
+    """Return the factor by which the largest ``reach`` becomes ``length`` [m], less where tilts
+    would not be small: none of ``shape`` (nodes, 6) exceeds ``STEEPEST``. 1 where nothing moves."""
+    largest = float(reach(displacement).max())
     tilt = float(reach(shape[:, 3:]).max())
-    limits = [length / most] if most > 0.0 else []
+    limits = [length / largest] if largest > 0.0 else []
     limits += [STEEPEST / tilt] if tilt > 0.0 else []
     return min(limits, default=1.0)
 
 
 def at_phase(displacement: Complex, phase: float) -> Array:
-    """The displacement at ``phase`` [rad] of a period."""
+    """Return the displacement at ``phase`` [rad] of a period."""
     return np.asarray((displacement * np.exp(1j * phase)).real)
 
 

@@ -1,4 +1,4 @@
-"""The path of a point of the axis over one period, and which way it turns."""
+"""The orbit of a point of the axis over one period, and its direction."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ FLAT = 1e-6  # share of the two circular parts by which an orbit must differ fro
 
 
 def phases(count: int) -> Array:
-    """``count`` even instants of one period [rad]."""
+    """Return ``count`` evenly spaced phases of one period [rad]."""
     return np.asarray(2.0 * np.pi * np.arange(count) / count)
 
 
 def orbit(motion: Complex, count: int) -> Array:
-    """Displacements (count, 3) of a point over a period, from its complex ones (3,) or (6,)."""
+    """Return displacements (count, 3) of a point over a period, from complex ones (3,) or (6,)."""
     return np.stack([at_phase(motion[:3], phase) for phase in phases(count)])
 
 
 def turning(motion: Complex) -> int:
-    """+1 forward (from y to z, counter-clockwise seen from +x), −1 backward, 0 along a line.
+    """Return +1 forward (from y to z, counter-clockwise seen from +x), −1 backward, 0 along a line.
 
     The circular parts of y, z turn with amplitudes |y + i z| / 2 and |y − i z| / 2, forward being
     y = 1, z = −i.

@@ -1,4 +1,4 @@
-"""How space is seen in every picture: a parallel projection."""
+"""The parallel projection of every picture."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ import numpy as np
 
 from rotordyn.surface.body import Array
 
-VIEW = (-0.55, 0.42, 1.0)  # where the eye is: before the nose, above, z towards it
+VIEW = (-0.55, 0.42, 1.0)  # towards the viewer: in front of the nose, above, z towards the viewer
 
 
 def screen() -> tuple[Array, Array, Array]:
-    """Unit vectors to the right, upwards and towards the eye; y points upwards."""
+    """Return unit vectors to the right, upwards and towards the viewer; y points upwards."""
     towards = np.array(VIEW) / np.linalg.norm(VIEW)
     right = np.cross([0.0, 1.0, 0.0], towards)
     right /= np.linalg.norm(right)
@@ -18,6 +18,6 @@ def screen() -> tuple[Array, Array, Array]:
 
 
 def projected(points: Array) -> Array:
-    """Places on the screen (n, 2) [m], to the right and upwards, of points (n, 3)."""
+    """Return places on the screen (n, 2) [m], to the right and upwards, of points (n, 3)."""
     right, up, _ = screen()
     return points @ np.stack([right, up], axis=1)

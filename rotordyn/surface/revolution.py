@@ -12,7 +12,7 @@ import numpy as np
 from rotordyn.surface.body import Array, Surface, Whole
 
 GENERATORS = 8  # drawn lines along the surface
-FACETS = 48  # around the axis: the volume of a polygon of so many sides is 0.3 % short
+FACETS = 48  # around the axis: a polygon of 48 sides has 0.3 % less area than its circle
 Interval = tuple[float, float]
 
 
@@ -20,7 +20,7 @@ Interval = tuple[float, float]
 class Tube:
     """A hollow cylinder from ``left`` to ``right`` between radii ``inner`` and ``outer`` [m].
 
-    A cone where radii at its right end are given.
+    It is a cone where radii at its right end are given.
     """
 
     left: float
@@ -32,17 +32,17 @@ class Tube:
 
     @property
     def wall(self) -> Interval:
-        """From the inner to the outer radius at the left end."""
+        """Inner and outer radius at the left end [m]."""
         return self.inner, self.outer
 
     @property
     def right_wall(self) -> Interval:
-        """From the inner to the outer radius at the right end."""
+        """Inner and outer radius at the right end [m]."""
         inner, outer = self.right_inner, self.right_outer
         return self.inner if inner is None else inner, self.outer if outer is None else outer
 
     def radii(self, x: float) -> Interval:
-        """From the inner to the outer radius at ``x``."""
+        """Return inner and outer radius at ``x`` [m]."""
         share = (x - self.left) / (self.right - self.left)
         if x == self.right:
             return self.right_wall
@@ -59,10 +59,10 @@ def revolved(
     facets: int = FACETS,
     station: float | None = None,
 ) -> Surface:
-    """The closed surface of ``tubes``, the end of each the start of the next.
+    """Return the closed surface of ``tubes``, the end of each the start of the next.
 
     ``longest``: distance of rings along the walls [m]; ``facets``: a multiple of ``GENERATORS``;
-    ``station`` [m]: where all of it moves with, by default each point with its own x.
+    ``station`` [m]: the cross-section that moves all of it, by default each point's own x.
     """
     rings = _Rings(facets)
     for tube in tubes:
@@ -91,18 +91,18 @@ def _cuts(tube: Tube, longest: float) -> list[float]:
 
 
 def _faces(rings: _Rings, before: Tube | None, after: Tube | None) -> None:
-    """What of the two walls that meet is bare: it looks towards +x where ``before`` ends."""
+    """Add the uncovered parts of two walls that meet; those of ``before`` face towards +x."""
     x = before.right if before else after.left if after else 0.0
     if before:
-        for inner, outer in _bare(before.right_wall, after.wall if after else None):
+        for inner, outer in _uncovered(before.right_wall, after.wall if after else None):
             rings.wall([(x, outer), (x, inner)])
     if after:
-        for inner, outer in _bare(after.wall, before.right_wall if before else None):
+        for inner, outer in _uncovered(after.wall, before.right_wall if before else None):
             rings.wall([(x, inner), (x, outer)])
 
 
-def _bare(wall: Interval, against: Interval | None) -> Iterator[Interval]:
-    """The parts of ``wall`` that ``against`` does not cover."""
+def _uncovered(wall: Interval, against: Interval | None) -> Iterator[Interval]:
+    """Yield the parts of ``wall`` that ``against`` does not cover."""
     if against is None or against[0] >= wall[1] or against[1] <= wall[0]:
         yield wall
         return
@@ -113,15 +113,15 @@ def _bare(wall: Interval, against: Interval | None) -> Iterator[Interval]:
 
 
 def _generators(rings: _Rings, tubes: Sequence[Tube], longest: float) -> Iterator[Whole]:
-    """Lines along the outside at even angles."""
-    places = [(x, tube.radii(x)[1]) for tube in tubes for x in _cuts(tube, longest)]
-    first = np.array([rings.first[place] for place in dict.fromkeys(places)])
+    """Yield lines along the outside at evenly spaced angles."""
+    outline = [(x, tube.radii(x)[1]) for tube in tubes for x in _cuts(tube, longest)]
+    first = np.array([rings.first[place] for place in dict.fromkeys(outline)])
     for angle in range(0, rings.facets, rings.facets // GENERATORS):
         yield first + angle
 
 
 def _edges(rings: _Rings, tubes: Sequence[Tube]) -> Iterator[Whole]:
-    """Circles where sections begin and end."""
+    """Yield circles where tubes begin and end."""
     around = np.append(np.arange(rings.facets), 0)
     ends = {(x, tube.radii(x)[1]): None for tube in tubes for x in (tube.left, tube.right)}
     for place in ends:
@@ -130,7 +130,7 @@ def _edges(rings: _Rings, tubes: Sequence[Tube]) -> Iterator[Whole]:
 
 @dataclass(slots=True)
 class _Rings:
-    """Circles of points by (x, radius), each made once; a radius of zero is a single point."""
+    """Circles of points by (x, radius), each created once; a radius of zero is a single point."""
 
     facets: int
     first: dict[Interval, int] = field(default_factory=dict)
@@ -139,12 +139,12 @@ class _Rings:
     _count: int = 0
 
     def wall(self, places: Sequence[Interval]) -> None:
-        """Bands from each place to the next, seen from outside with the way on the left."""
+        """Add bands between places, facing outwards for rising x, to +x for falling radius."""
         for near, far in pairwise(places):
             self.triangles.append(self._band(self._ring(near), self._ring(far)))
 
     def _ring(self, place: Interval) -> Whole:
-        """Numbers of the points at ``place``, the first one again at the end."""
+        """Return the indices of the points at ``place``, the first one again at the end."""
         x, radius = place
         size = self.facets if radius > 0.0 else 1
         if place not in self.first:
@@ -159,5 +159,5 @@ class _Rings:
         first = np.stack([near[:-1], near[1:], far[1:]], axis=1)
         second = np.stack([near[:-1], far[1:], far[:-1]], axis=1)
         faces = np.concatenate([first, second])
-        flat = (faces == np.roll(faces, 1, axis=1)).any(axis=1)  # beside a point on the axis
+        flat = (faces == np.roll(faces, 1, axis=1)).any(axis=1)  # degenerate at a point on the axis
         return faces[~flat]

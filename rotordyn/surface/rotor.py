@@ -1,4 +1,4 @@
-"""What turns, and what holds it, as bodies: from a spindle's description to surfaces."""
+"""Surfaces of the rotor and of what holds it, from the description of a spindle."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ _COLLAR = 0.02  # of the shaft's length: width of a body whose size is not known
 
 
 def rotor_surface(spindle: Spindle, facets: int = FACETS) -> Surface:
-    """Shaft, discs and masses; ``facets`` around the axis, a multiple of 8.
+    """Return the surface of shaft, discs and masses; ``facets`` around the axis, a multiple of 8.
 
-    Discs and masses move as rigid bodies with their station. Of point masses no size is known: each
-    is the hollow cylinder around the shaft that has its inertias, or a narrow collar where there is
-    no such cylinder.
+    Discs and masses move as rigid bodies with their station. Point masses have no size: each is
+    drawn as the hollow cylinder around the shaft with its inertias, or as a narrow collar where no
+    such cylinder exists.
     """
     shaft = spindle.shaft
     longest = (shaft.end - shaft.start) / RINGS_OVER_LENGTH
@@ -45,22 +45,22 @@ def rotor_surface(spindle: Spindle, facets: int = FACETS) -> Surface:
 
 
 def holder_surface(spindle: Spindle, facets: int = FACETS) -> Surface | None:
-    """Outer rings of the bearings, and a ring around the shaft at each linear support."""
+    """Return outer rings of the bearings, and a ring around the shaft at each linear support."""
     rings = [_outer_ring(seat, spindle.seats, facets) for seat in spindle.seats]
     rings += [_support(support, spindle.shaft, facets) for support in spindle.supports]
     return together(rings) if rings else None
 
 
 def bearing_width(seat: BearingSeat, seats: Sequence[BearingSeat]) -> float:
-    """A likely ring width [m], less where the neighbours are close."""
+    """Return a likely ring width [m], less where adjacent bearings are close."""
     gaps = [abs(seat.x - other.x) for other in seats if other.x != seat.x]
     return min(1.7 * seat.bearing.ball_diameter, 0.92 * min(gaps, default=math.inf))
 
 
 def orbit_stations(spindle: Spindle) -> tuple[float, ...]:
-    """Stations worth an orbit: ends, bearings, supports, discs, and some where these are far apart.
+    """Return the stations of drawn orbits: ends, bearings, supports, bodies, eighths of the length.
 
-    None is closer to another one than a twelfth of the shaft's length.
+    They are at least a twelfth of the shaft's length apart.
     """
     shaft = spindle.shaft
     length = shaft.end - shaft.start
@@ -88,7 +88,7 @@ def _disc(disc: Disc, number: int, facets: int) -> Surface:
 
 
 def _mass(mass: PointMass, number: int, shaft: Shaft, facets: int) -> Surface:
-    """The hollow cylinder around the shaft that has the inertias of ``mass``, if there is one."""
+    """Return the hollow cylinder around the shaft with the inertias of ``mass``, or a collar."""
     width = _COLLAR * (shaft.end - shaft.start)
     inner = shaft.diameters_at(mass.x)[0] / 2.0
     outer = 1.06 * inner

@@ -1,4 +1,4 @@
-"""All rotors on an axis as surfaces, and how their points move in one mode."""
+"""Surfaces of all rotors on an axis, and the motion of their points in one mode."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from rotordyn.surface.rotor import holder_surface, rotor_surface
 
 
 def surfaces(spindle: Spindle, facets: int = FACETS) -> dict[str, Surface]:
-    """What turns, by rotor; bodies of a further one bear its name before their own."""
+    """Return the surface of each rotor; bodies of a further one bear its name before their own."""
     rotors = {name: rotor_surface(spindle.part(name), facets) for name in spindle.ratios}
     return {
         name: surface
@@ -27,13 +27,13 @@ def surfaces(spindle: Spindle, facets: int = FACETS) -> dict[str, Surface]:
 
 
 def holders(spindle: Spindle, facets: int = FACETS) -> Surface | None:
-    """What holds rotors against ground; nothing is drawn between two of them."""
+    """Return the surfaces of what holds rotors against ground; none between two of them."""
     parts = []
     for name in spindle.ratios:
-        held = {s.name for s in spindle.supports if set(s.ends) == {name, GROUND}}
+        to_ground = {s.name for s in spindle.supports if set(s.ends) == {name, GROUND}}
         part = spindle.part(name)
-        held_part = replace(part, supports=tuple(s for s in part.supports if s.name in held))
-        parts.append(holder_surface(replace(held_part, housings=()), facets))
+        grounded = replace(part, supports=tuple(s for s in part.supports if s.name in to_ground))
+        parts.append(holder_surface(replace(grounded, housings=()), facets))
     rings = [surface for surface in parts if surface is not None]
     return together(rings) if rings else None
 
@@ -45,9 +45,9 @@ def displacements(
     rotor: Sequence[str],
     shape: Complex,
 ) -> Complex:
-    """Complex displacement (n, 3) of all points, one rotor behind the other.
+    """Return the complex displacement (n, 3) of all points, one rotor after the other.
 
-    ``rotor`` (nodes,): the one that each node is of; else as ``motion.displacement``.
+    ``rotor`` (nodes,): the rotor of each node; the rest as in ``motion.displacement``.
     """
     parts = [
         displacement(surface, spindle.part(name).shaft, *_nodes(name, node, rotor, shape))
@@ -63,7 +63,7 @@ def section_motions(
     rotor: Sequence[str],
     shape: Complex,
 ) -> Complex:
-    """The six displacements of the cross-sections at ``stations`` of every rotor, likewise."""
+    """Return the six displacements of cross-sections at ``stations`` of all rotors, likewise."""
     parts = [
         section_motion(spindle.part(name).shaft, *_nodes(name, node, rotor, shape), x)
         for name, x in stations.items()
@@ -72,5 +72,5 @@ def section_motions(
 
 
 def _nodes(name: str, node: Array, rotor: Sequence[str], shape: Complex) -> tuple[Array, Complex]:
-    chosen = np.array([each == name for each in rotor])
+    chosen = np.array([owner == name for owner in rotor])
     return node[chosen], shape[chosen]

@@ -1,1 +1,1 @@
-"""Pictures of the rotor in space. They are rendered in another process: see ``apart``."""
+"""Pictures of the rotor in space, rendered in another process: see ``apart``."""

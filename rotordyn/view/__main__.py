@@ -25,7 +25,7 @@ WINDOW = "VTK_DEFAULT_OPENGL_WINDOW"
 
 
 def main() -> None:
-    """Render everything that is ordered into the folder named first."""
+    """Render every order on standard input into the folder named first."""
     folder = Path(sys.argv[1])
     orders: list[Order] = pickle.load(sys.stdin.buffer)
     if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
@@ -35,7 +35,7 @@ def main() -> None:
 
 
 def render(order: Order, number: int, folder: Path) -> None:
-    """One picture of every mode at every speed, then the animations."""
+    """Save one picture of every mode at every speed, then the frames of animations."""
     from rotordyn.surface.orbit import phases
 
     for speed, mode, scene in _shown(order, STILL):
@@ -46,7 +46,7 @@ def render(order: Order, number: int, folder: Path) -> None:
 
 
 def _shown(order: Order, width: int) -> Iterator[tuple[int, int, RotorScene]]:
-    """Speed and mode of every picture with the scene, ``width`` pixels wide, that shows it."""
+    """Yield speed and mode of every picture with its scene, ``width`` pixels wide."""
     from rotordyn.view.scene import RotorScene
 
     scene = RotorScene(order.spindle, order.amplitude, order.colours, width)
@@ -57,10 +57,10 @@ def _shown(order: Order, width: int) -> Iterator[tuple[int, int, RotorScene]]:
 
 
 def _halved(picture: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """The mean of every four pixels, which smooths edges."""
+    """Return the mean of every four pixels, which smooths edges."""
     height, width = (size // 2 for size in picture.shape[:2])
-    fours = picture[: 2 * height, : 2 * width].reshape(height, 2, width, 2, 3)
-    return fours.mean(axis=(1, 3)).round().astype(np.uint8)
+    blocks = picture[: 2 * height, : 2 * width].reshape(height, 2, width, 2, 3)
+    return blocks.mean(axis=(1, 3)).round().astype(np.uint8)
 
 
 if __name__ == "__main__":

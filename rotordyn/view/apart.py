@@ -1,4 +1,4 @@
-"""Rendering in a process of its own, since a machine without OpenGL may end it without a word."""
+"""Rendering in a process of its own, which a machine without OpenGL may end without a message."""
 
 from __future__ import annotations
 
@@ -21,30 +21,30 @@ from rotordyn.view.order import Order, moving_name, still_name
 
 Pixels = NDArray[np.uint8]
 PROGRAM = ("-m", "rotordyn.view")
-LONGEST = 60.0  # s without which no first picture can be
-LONGEST_EACH = 5.0  # s for each picture more
+LONGEST = 60.0  # s allowed for the first picture
+LONGEST_EACH = 5.0  # s for each further picture
 REMEDY = (
     "install Mesa's EGL (on Debian and Ubuntu: libegl1 libgl1-mesa-dri libx11-6), or run where "
     "there is a display"
 )
-# pyvista says in words of its own that it lacks VTK, after Python has: not the last line alone
+# pyvista adds a message of its own about missing VTK after that of Python: search all lines
 _MISSING = re.compile(r"No module named '((?:pyvista|vtk)[^']*)'|No module named '([^']+)'\Z")
 
 
 class NoPictures(Exception):
-    """Nothing could be rendered; its text says why and what to do."""
+    """Raised where nothing can be rendered; its text says why and what to do."""
 
 
 class Rendering:
-    """Pictures being rendered beside us. ``finish`` waits for them; ``close`` ends it anyway.
+    """Pictures rendered in another process. ``finish`` waits for them; ``close`` ends it anyway.
 
-    Use it as a context: its temporary files are gone afterwards. They stand in ``folder``, or where
-    the system has such files.
+    Use it as a context: its temporary files are removed afterwards. They are in ``folder``, or in
+    the system's folder of such files.
     """
 
     def __init__(self, orders: Sequence[Order], folder: Path | None = None) -> None:
-        self._held = tempfile.TemporaryDirectory(prefix="pictures.", dir=folder)
-        self.folder = Path(self._held.name)
+        self._temporary = tempfile.TemporaryDirectory(prefix="pictures.", dir=folder)
+        self.folder = Path(self._temporary.name)
         (self.folder / "orders").write_bytes(pickle.dumps(list(orders)))
         self._longest = LONGEST + LONGEST_EACH * sum(order.pictures for order in orders)
         paths = os.pathsep.join(os.path.abspath(path) for path in sys.path)
@@ -67,7 +67,7 @@ class Rendering:
 
     @property
     def running(self) -> bool:
-        """True while pictures are being made."""
+        """Whether pictures are being rendered."""
         return self._process.poll() is None
 
     def finish(self) -> None:
@@ -75,7 +75,7 @@ class Rendering:
 
         Raises
         ------
-        NoPictures : the process failed, was ended by the system, or takes too long
+        NoPictures : the process fails, is ended by the system, or takes too long
         """
         try:
             code = self._process.wait(self._longest)
@@ -83,19 +83,19 @@ class Rendering:
             self._process.kill()
             self._process.wait()
             raise NoPictures(f"rendering took more than {self._longest:.0f} s; {REMEDY}") from None
-        missing = _MISSING.search("\n".join(self._said())) if code > 0 else None
+        missing = _MISSING.search("\n".join(self._output())) if code > 0 else None
         why = not_installed(missing[1] or missing[2]) if missing else None
         if why:
             raise NoPictures(why)
         if code:
-            raise NoPictures(f"this machine draws nothing in 3D ({self._why(code)}): {REMEDY}")
+            raise NoPictures(f"this machine draws nothing in 3D ({self._reason(code)}): {REMEDY}")
 
     def still(self, order: int, speed: int, mode: int) -> Pixels:
-        """The picture of a mode at a speed, (height, width, 3); ``order``: number of the order."""
+        """Return the picture of a mode at a speed, (height, width, 3); ``order``: its number."""
         return self._load(still_name(order, speed, mode))
 
     def moving(self, order: int, speed: int, mode: int) -> Pixels:
-        """The frames of its period, (count, height, width, 3)."""
+        """Return the frames of a mode's period, (count, height, width, 3)."""
         return self._load(moving_name(order, speed, mode))
 
     def close(self) -> None:
@@ -103,18 +103,18 @@ class Rendering:
         if self.running:
             self._process.kill()
             self._process.wait()
-        self._held.cleanup()
+        self._temporary.cleanup()
 
     def _load(self, name: str) -> Pixels:
         pixels: Any = np.load(self.folder / name)
         return pixels
 
-    def _why(self, code: int) -> str:
-        """The signal that ended the process, or the last thing it said."""
+    def _reason(self, code: int) -> str:
+        """Return the signal that ended the process, or the last line of its output."""
         if code < 0:
             return f"OpenGL ended the process: {signal.Signals(-code).name}"
-        lines = self._said()
+        lines = self._output()
         return lines[-1].strip() if lines else f"exit code {code}"
 
-    def _said(self) -> list[str]:
+    def _output(self) -> list[str]:
         return (self.folder / "said").read_text(errors="replace").strip().splitlines()

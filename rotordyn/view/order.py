@@ -1,4 +1,4 @@
-"""What pictures are wanted: plain values that another process can read."""
+"""Orders of pictures: plain values that another process can read."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ class Order:
     """Pictures of mode shapes of a spindle.
 
     ``node`` [m], ``rotor`` of each and ``shape`` (speeds, modes, nodes, 6) as a ``CampbellResult``
-    has them; of shapes that do not exist (NaN) there is no picture. ``amplitude``: largest
+    has them; shapes that do not exist (NaN) have no picture. ``amplitude``: largest
     displacement drawn, over the length of the shaft. ``frames`` of one period, 0 = no animation.
     ``colours`` of the motion: name of a colour map of matplotlib.
     """
@@ -31,20 +31,20 @@ class Order:
     @property
     def places(self) -> list[tuple[int, int]]:
         """Speed and mode of every picture."""
-        known = np.isfinite(self.shape).all(axis=(2, 3))
-        return [(int(speed), int(mode)) for speed, mode in np.argwhere(known)]
+        finite = np.isfinite(self.shape).all(axis=(2, 3))
+        return [(int(speed), int(mode)) for speed, mode in np.argwhere(finite)]
 
     @property
     def pictures(self) -> int:
-        """How many there are, those of animations included."""
+        """Number of pictures, with those of animations."""
         return len(self.places) * (1 + self.frames)
 
 
 def still_name(order: int, speed: int, mode: int) -> str:
-    """File with one picture (height, width, 3) of an order, by its number."""
+    """Return the file name of one picture (height, width, 3) of an order, by its number."""
     return f"still_{order}_{speed}_{mode}.npy"
 
 
 def moving_name(order: int, speed: int, mode: int) -> str:
-    """File with the frames (count, height, width, 3) of an animation."""
+    """Return the file name of the frames (count, height, width, 3) of an animation."""
     return f"moving_{order}_{speed}_{mode}.npy"

@@ -19,8 +19,8 @@ class AxialCycleResult:
     """Positions, loads and axial stiffness while the force falls and rises again.
 
     ``stiffness``: of bearings and sleeves; the shaft and its joints are rigid along the axis.
-    ``held_force``: where sleeves slide on the falling branch, half of what the force may rise
-    before one of them slides back, about ``held_mean``: so far a cyclic force finds them rigid; NaN
+    ``held_force``: where sleeves slide on the falling branch, half the rise of force at which one
+    of them slides back, about ``held_mean``: under a smaller cyclic force they are rigid; NaN
     without friction, and at a stop.
     """
 

@@ -1,8 +1,8 @@
 """A cycle of axial force at every speed, after the history of the case.
 
-The force goes to its highest and lowest value once, so that friction stands as it does in every
-later cycle; then the falling and the rising branch are taken. Energy lost per cycle, the area
-between the branches ∮ F du: what friction takes on the way of every sleeve.
+The force passes its highest and lowest value once, so that friction is in the state of every later
+cycle; then the falling and the rising branch are solved. The energy lost per cycle is the area
+between the branches, ∮ F du: friction force times path of every sleeve.
 """
 
 from __future__ import annotations
@@ -22,19 +22,19 @@ from rotordyn.state import NoEquilibrium
 from rotordyn.state.contacts import State
 
 Array = NDArray[np.float64]
-NONE = 1e-9  # of the reach of the cycle: a force that counts as none
+NONE = 1e-9  # of the range of the cycle: a smaller force counts as zero
 
 
 def answer(scene: Scene, spec: AxialCycleSpec) -> AxialCycleResult:
-    """Positions, loads, friction and stiffness over the cycle.
+    """Solve positions, loads, friction and stiffness over the cycle.
 
     Raises
     ------
-    TooCostly : that takes more time or memory than is allowed
+    TooCostly : the cycle takes more time or memory than allowed
     """
     preload, rows = scene.preload, scene.bearing_row
     listed = np.linspace(spec.lowest, spec.highest, spec.steps + 1)
-    force, at = _places(listed)
+    force, listed_rows = _path_forces(listed)
     steps = len(preload.speed) * (2 * spec.steps + 3)
     require_history(f"axial_cycle: {steps} steps", 0, steps)
     path = history(preload, max(abs(spec.lowest), abs(spec.highest)))
@@ -43,8 +43,8 @@ def answer(scene: Scene, spec: AxialCycleSpec) -> AxialCycleResult:
     position = np.full((*shape, len(preload.network.arrangement.bodies)), np.nan)
     load = np.full((*shape, len(seats)), np.nan)
     friction, stop = np.full((2, *shape, len(sleeves)), np.nan)
-    stiffness, held = np.full(shape, np.nan), np.full((shape[0], shape[2]), np.nan)
-    reach = float(force[-1] - force[0])
+    stiffness, slide_force = np.full(shape, np.nan), np.full((shape[0], shape[2]), np.nan)
+    range_ = float(force[-1] - force[0])
     outcome = list(preload.outcome)
     for row, start in enumerate(path.run_up()):
         require_time("axial_cycle", "broken off")
@@ -53,16 +53,16 @@ def answer(scene: Scene, spec: AxialCycleSpec) -> AxialCycleResult:
             continue
         try:
             branches = _branches(path, row, start, force)
-        except NoEquilibrium as none:
-            outcome[row] = f"no cycle: {none}"
+        except NoEquilibrium as failure:
+            outcome[row] = f"no cycle: {failure}"
             continue
         for k, states in enumerate(branches):
             position[row, k] = [state.x for state in states]
             load[row, k] = [state.at.load[path.of_seat] for state in states]
             friction[row, k], stop[row, k] = _sleeves(path, states)
             stiffness[row, k] = _stiffness(path, row, states, force, way=(-1.0, 1.0)[k])
-        held[row] = [
-            path.force_to_slide(row, state, value, reach)
+        slide_force[row] = [
+            path.force_to_slide(row, state, value, range_)
             for state, value in zip(branches[0], force.tolist(), strict=True)
         ]
     return AxialCycleResult(
@@ -73,20 +73,20 @@ def answer(scene: Scene, spec: AxialCycleSpec) -> AxialCycleResult:
         bearing=tuple(seat.name for seat in seats),
         sleeve=tuple(sleeve.name for sleeve in sleeves),
         outcome=tuple(outcome[row] for row in rows),
-        position=position[rows][:, :, at],
-        axial_load=load[rows][:, :, at],
-        friction=friction[rows][:, :, at],
-        stop_force=stop[rows][:, :, at],
-        stiffness=stiffness[rows][:, :, at],
-        held_force=0.5 * held[rows][:, at],
-        held_mean=listed + 0.5 * held[rows][:, at],
+        position=position[rows][:, :, listed_rows],
+        axial_load=load[rows][:, :, listed_rows],
+        friction=friction[rows][:, :, listed_rows],
+        stop_force=stop[rows][:, :, listed_rows],
+        stiffness=stiffness[rows][:, :, listed_rows],
+        held_force=0.5 * slide_force[rows][:, listed_rows],
+        held_mean=listed + 0.5 * slide_force[rows][:, listed_rows],
         no_load_stiffness=_at_no_load(force, stiffness)[rows],
         loss=_loss(position[..., SHAFT + 1 :], [sleeve.friction for sleeve in sleeves])[rows],
     )
 
 
-def _places(listed: Array) -> tuple[Array, NDArray[np.intp]]:
-    """Forces of the path, ascending: those ``listed`` and no force between them; where they are."""
+def _path_forces(listed: Array) -> tuple[Array, NDArray[np.intp]]:
+    """Return ``listed`` forces, ascending, with zero if it is between, and their rows in these."""
     if not listed[0] < 0.0 < listed[-1] or np.abs(listed).min() <= NONE * np.ptp(listed):
         return listed, np.arange(len(listed))
     force = np.sort(np.append(listed, 0.0))
@@ -94,17 +94,17 @@ def _places(listed: Array) -> tuple[Array, NDArray[np.intp]]:
 
 
 def _branches(path: History, row: int, start: State, force: Array) -> list[list[State]]:
-    """States at every force, ascending, on the falling and on the rising branch."""
+    """Return the states at every force, ascending, on the falling and on the rising branch."""
     *_, top = path.loaded(row, start, [force[-1], force[0], force[-1]])
-    there = path.under(row, float(force[-1]))
-    falling = path.loaded(row, top, force[-2::-1].tolist(), there)
-    here = path.under(row, float(force[0]))
-    rising = path.loaded(row, falling[-1], force[1:].tolist(), here)
+    at_highest = path.under(row, float(force[-1]))
+    falling = path.loaded(row, top, force[-2::-1].tolist(), at_highest)
+    at_lowest = path.under(row, float(force[0]))
+    rising = path.loaded(row, falling[-1], force[1:].tolist(), at_lowest)
     return [[*falling[::-1], top], [falling[-1], *rising]]
 
 
 def _sleeves(path: History, states: list[State]) -> tuple[Array, Array]:
-    """Friction and stop forces on every sleeve (states, sleeves)."""
+    """Return friction and stop forces on every sleeve (states, sleeves)."""
     network = path.network
     friction = np.array([state.friction @ network.frictions.row for state in states])
     press = np.array([(network.stops.side * s.press) @ network.stops.row for s in states])
@@ -112,20 +112,20 @@ def _sleeves(path: History, states: list[State]) -> tuple[Array, Array]:
 
 
 def _stiffness(path: History, row: int, states: list[State], force: Array, way: float) -> Array:
-    """Slope of the force over the displacement of the shaft, going on ``way`` [N/m]."""
+    """Return the slope of force over displacement of the shaft in direction ``way`` [N/m]."""
     soft = [path.compliance(row, s, f, way) for s, f in zip(states, force.tolist(), strict=True)]
     return 1.0 / np.array(soft)
 
 
 def _at_no_load(force: Array, stiffness: Array) -> Array:
-    """Stiffness where the force is zero; NaN where the cycle does not come there."""
+    """Return the stiffness at zero force; NaN where the cycle does not reach it."""
     if not force[0] <= 0.0 <= force[-1]:
         return np.full(stiffness.shape[:-1], np.nan)
     return stiffness[..., np.abs(force).argmin()]
 
 
 def _loss(position: Array, limit: Sequence[float]) -> Array:
-    """∮ F du over the cycle (speeds,) [J]; ``position`` of sleeves (speeds, branches, forces,
-    sleeves), each of which goes one way on a branch, and ``limit`` of their friction [N]."""
-    way = np.abs(np.diff(position, axis=2)).sum(axis=(1, 2))
-    return np.asarray(way @ np.array(limit))
+    """Return ∮ F du over the cycle (speeds,) [J], from ``position`` of sleeves (speeds, branches,
+    forces, sleeves), monotonic on each branch, and ``limit`` of their friction [N]."""
+    path_length = np.abs(np.diff(position, axis=2)).sum(axis=(1, 2))
+    return np.asarray(path_length @ np.array(limit))

@@ -1,4 +1,4 @@
-"""What a case asks of a cycle of axial force (SI)."""
+"""Specification of a cycle of axial force (SI)."""
 
 from __future__ import annotations
 

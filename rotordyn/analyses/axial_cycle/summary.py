@@ -16,10 +16,10 @@ NO_LOSS = 1e-9  # J: rounding
 
 
 def summary(result: AxialCycleResult) -> list[str]:
-    """Axial stiffness at no load over speed, and the energy lost."""
+    """Return lines on axial stiffness at no load over speed, and the energy lost."""
     values = ", ".join(
-        unbroken(f"{name} {over_speed(one, result.speed)}")
-        for name, one in zip(
+        unbroken(f"{name} {over_speed(stiffness, result.speed)}")
+        for name, stiffness in zip(
             result.branch, result.no_load_stiffness.T * STIFFNESS.factor, strict=True
         )
     )
@@ -30,7 +30,7 @@ def summary(result: AxialCycleResult) -> list[str]:
 
 
 def numbers(result: AxialCycleResult, _: Described) -> Iterator[Number]:
-    """Stiffness at no load over speed, for each branch."""
+    """Yield stiffness at no load over speed, for each branch."""
     for name, values in zip(
         result.branch, result.no_load_stiffness.T * STIFFNESS.factor, strict=True
     ):
@@ -38,7 +38,7 @@ def numbers(result: AxialCycleResult, _: Described) -> Iterator[Number]:
 
 
 def warnings(result: AxialCycleResult) -> list[str]:
-    """Bearings that the force unloads."""
+    """Warn of bearings that the force unloads."""
     sentences = []
     load = result.axial_load.min(axis=1)  # of both branches
     for k, name in enumerate(result.bearing):
@@ -47,17 +47,18 @@ def warnings(result: AxialCycleResult) -> list[str]:
             place = int(np.abs(result.force[at]).argmin())
             rpm = result.speed[rows[place]] * RPM.factor
             sentences.append(
-                f"bearing {name} is unloaded under an axial force {_reached(result, at[place])} at "
-                f"{rpm:.0f} rpm: raise its preload, or keep the force away from there"
+                f"bearing {name} is unloaded under an axial force "
+                f"{_unloading_force(result, at[place])} at {rpm:.0f} rpm: raise its preload, or "
+                "keep the force away from there"
             )
     return sentences
 
 
-def _reached(result: AxialCycleResult, place: int) -> str:
-    """A force reached on the way from no load, between those at which the cycle was solved."""
+def _unloading_force(result: AxialCycleResult, place: int) -> str:
+    """Describe the force that a cycle from no load reaches between two solved forces."""
     force = result.force
-    before = place - int(np.sign(force[place]))
-    if not 0 <= before < len(force) or before == place:
+    previous = place - int(np.sign(force[place]))
+    if not 0 <= previous < len(force) or previous == place:
         return f"of {number(float(force[place]), 0)} N"
-    least = force[before] if force[before] * force[place] > 0.0 else 0.0
+    least = force[previous] if force[previous] * force[place] > 0.0 else 0.0
     return f"between {number(float(least), 0)} and {number(float(force[place]), 0)} N"

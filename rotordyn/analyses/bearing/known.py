@@ -1,4 +1,4 @@
-"""What may be compared of a single bearing."""
+"""Values of a single bearing to compare with references."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rotordyn.results.known import at_speeds
 
 
 def known(reference: Reference, result: BearingMapResult, _: Spindle | None) -> Array | None:
-    """Largest error of Kxx by the frozen tangent over the loads."""
+    """Return the largest error of Kxx by the frozen tangent over the loads."""
     speeds = np.asarray(reference.speeds, float)
     if reference.quantity != "frozen_error" or not {"complete", "frozen"} <= set(result.tangent):
         return None

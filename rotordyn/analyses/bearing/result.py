@@ -1,4 +1,4 @@
-"""What is answered of a single bearing over load and speed."""
+"""Results of a single bearing over load and speed."""
 
 from __future__ import annotations
 
@@ -31,12 +31,12 @@ class BearingMapResult:
     contact has no angle and no ellipse ends (NaN). ``truncated``: share of the major axis of the
     contact ellipse outside its groove; ``shoulder_angle`` and ``middle_angle``: where grooves end,
     NaN where no diameter of the shoulder is known, or where the groove has one arc.
-    ``revolutions``: L10r of ISO/TS 16281 by ``dynamic_rating``, beside which that of the grooves
-    stands; heat and film are NaN without a lubricant. With a heat
-    flow ``load`` is the preload at rest and 20 °C, ``axial_force`` what it becomes; temperatures
+    ``revolutions``: L10r of ISO/TS 16281 by ``dynamic_rating``; ``groove_rating`` is that of the
+    grooves. Heat and film are NaN without a lubricant. With a heat
+    flow ``load`` is the preload at rest and 20 °C, ``axial_force`` that in operation; temperatures
     and ``speed_limit``, above which they reach no balance, are NaN without one, the limit also
-    where it lies beyond the speeds. ``film_growth``: by which films shorten the distance of the
-    grooves, 0 where balls do not ride on them.
+    where it lies beyond the speeds. ``film_growth``: reduction of the distance of the grooves by
+    films, 0 without them.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
@@ -189,30 +189,30 @@ class BearingMapResult:
 
 @dataclass(frozen=True)
 class RadialMapResult(BearingMapResult):
-    """The same over radial load along y."""
+    """A single bearing over radial load along y and speed."""
 
     load: Array = coordinate("load", unit="N", label="radial load")
 
 
 @dataclass(frozen=True)
 class MomentMapResult(BearingMapResult):
-    """The same over the moment about z."""
+    """A single bearing over the moment about z and speed."""
 
     load: Array = coordinate("load", unit="N·m", label="moment")
 
 
 def along_load(result: BearingMapResult) -> bool:
-    """Whether curves run over the load, one per speed, as there are few speeds only."""
+    """Return whether curves run over the load, one per speed, since there are few speeds."""
     return result.load.size > result.speed.size and result.speed.size <= FEW_SPEEDS
 
 
 def longest(result: BearingMapResult) -> Array:
-    """Half-length of the longest contact ellipse of all balls (speeds, loads) [m]."""
+    """Return the half-length of the longest contact ellipse of all balls (speeds, loads) [m]."""
     return np.asarray(np.fmax.reduce(result.ellipse_length, axis=(-2, -1)))
 
 
 def motion(result: BearingMapResult) -> tuple[str, str, Array]:
-    """What the swept load moves: name, printed unit, values (speeds, loads)."""
+    """Return the displacement of the swept load: name, printed unit, values (speeds, loads)."""
     if isinstance(result, MomentMapResult):
         return "tilt", "mrad", result.tilt * 1e3
     if isinstance(result, RadialMapResult):

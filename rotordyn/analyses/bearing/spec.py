@@ -1,4 +1,4 @@
-"""What a case asks of a single bearing over load and speed (SI)."""
+"""Specification of a single bearing over load and speed (SI)."""
 
 from __future__ import annotations
 
@@ -83,8 +83,8 @@ class BearingMapSpec(Spec):
         if abs(getattr(self, fixed)) > 0.0:
             yield (fixed,), f"{fixed} is given by the list {given[0]} already"
         yield from self._oil_faults()
-        known = self.flexible_rings
-        if known is not None and known.inner and known.shaft_bore is None:
+        rings = self.flexible_rings
+        if rings is not None and rings.inner and rings.shaft_bore is None:
             yield (
                 ("flexible_rings", "shaft_bore"),
                 "missing key: there is no shaft that gives it; 0 mm of a solid one",
@@ -96,9 +96,9 @@ class BearingMapSpec(Spec):
             )
 
     def _oil_faults(self) -> Faults:
-        asked = {"heat_flow": self.heat_flow, "films": self.films, "heat": self.heat != ELLIPSE}
-        for name in asked if self.lubricant is None else ():
-            if asked[name]:
+        needs_oil = {"heat_flow": self.heat_flow, "films": self.films, "heat": self.heat != ELLIPSE}
+        for name in needs_oil if self.lubricant is None else ():
+            if needs_oil[name]:
                 yield (name,), f"{name} needs an oil: give lubricant"
         if self.heat_flow is not None and self.combined:
             yield ("heat_flow",), "is made for axial loads alone: give loads and nothing else"
@@ -108,23 +108,23 @@ class BearingMapSpec(Spec):
             yield ("tangents",), "films have the complete tangent alone; allowed: complete"
 
     def last_faults_of(self, bearing: BallBearing) -> Faults:
-        """Rings that are impossible with these balls, loads that the bearing cannot carry."""
+        """Yield faults of impossible rings, and of loads that the bearing cannot carry."""
         try:
             self.mounted(bearing)
         except InvalidBearing as refusal:
             yield ("flexible_rings",), f"{refusal}"
         free = (*(True,) * 3, *(self.tilt != "blocked",) * 2)
         fixed = {name: getattr(self, key) for name, key in FIXED.items()}
-        alone = [(FIXED[name], {name: fixed[name]}) for name in (AXIAL, RADIAL)]
+        single = [(FIXED[name], {name: fixed[name]}) for name in (AXIAL, RADIAL)]
         swept = [(LISTS[self.swept], fixed | {self.swept: value}) for value in self.values]
-        for key, given in (*alone, *swept):
-            axial, radial, moment = (given.get(name, 0.0) for name in SWEPT)
+        for key, loads in (*single, *swept):
+            axial, radial, moment = (loads.get(name, 0.0) for name in SWEPT)
             if why := bearing.refusal((axial, radial, 0.0, 0.0, moment), free):
                 yield (key,), why
                 return
 
     def mounted(self, bearing: BallBearing) -> BallBearing:
-        """The bearing with rings that deform where they are given.
+        """Return the bearing, with flexible rings where they are given.
 
         Raises
         ------
@@ -140,16 +140,16 @@ class BearingMapSpec(Spec):
 
     @property
     def swept(self) -> str:
-        """Of ``SWEPT``: which component the list gives."""
-        return next(name for name, given in LISTS.items() if getattr(self, given))
+        """Load component of the list, one of ``SWEPT``."""
+        return next(name for name, key in LISTS.items() if getattr(self, key))
 
     @property
     def values(self) -> tuple[float, ...]:
-        """The list [N, N·m]."""
-        given: tuple[float, ...] = getattr(self, LISTS[self.swept])
-        return given
+        """Loads of the list [N, N·m]."""
+        loads: tuple[float, ...] = getattr(self, LISTS[self.swept])
+        return loads
 
     @property
     def combined(self) -> bool:
-        """Whether balls differ: more than a thrust acts."""
+        """Whether balls differ, since more than an axial load acts."""
         return self.swept != AXIAL or self.radial_load != 0.0 or self.moment != 0.0

@@ -1,4 +1,4 @@
-"""A single bearing over load and speed in words: stiffness, contacts, ellipses cut off."""
+"""A single bearing over load and speed as text: stiffness, contacts, truncated ellipses."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ RINGS = {"i": "inner", "o": "outer"}
 
 
 def summary(result: BearingMapResult) -> list[str]:
-    """Stiffness at each load over speed, life, how balls touch their grooves."""
+    """Return lines on stiffness at each load over speed, life, and contacts with the grooves."""
     lines = [*_stiffness(result), *_life(result), *_heat(result)]
     if result.ball.size > 1 or len(result.contact) > 2:
         lines += _contacts(result)
@@ -37,7 +37,7 @@ def summary(result: BearingMapResult) -> list[str]:
 
 
 def _rings(result: BearingMapResult) -> list[str]:
-    """How far raceways of rings that deform give at most."""
+    """Return a line on the largest deflections of raceways of flexible rings."""
     normal = np.nan_to_num(result.ring_deflection * 1e6).max(axis=(0, 1, 2), initial=0.0)
     if not normal.any():
         return []
@@ -52,17 +52,17 @@ def _rings(result: BearingMapResult) -> list[str]:
 
 
 def cut_off(result: BearingMapResult) -> list[str]:
-    """A sentence for each ring whose groove ends within a contact ellipse at some load."""
+    """Return a sentence for each ring whose groove ends within a contact ellipse at some load."""
     sentences = []
     for letter, ring in RINGS.items():
-        here = [k for k, name in enumerate(result.contact) if name.startswith(letter)]
-        upper, lower = result.ellipse_upper[..., here], result.ellipse_lower[..., here]
-        lost = np.nan_to_num(result.truncated[..., here])
+        contacts = [k for k, name in enumerate(result.contact) if name.startswith(letter)]
+        upper, lower = result.ellipse_upper[..., contacts], result.ellipse_lower[..., contacts]
+        truncated = np.nan_to_num(result.truncated[..., contacts])
         for what, beyond in (
-            ("the shoulder", np.abs(_farther(upper, lower)) > result.shoulder_angle[here]),
-            ("the middle of the groove", lower < result.middle_angle[here]),
+            ("the shoulder", np.abs(_outermost(upper, lower)) > result.shoulder_angle[contacts]),
+            ("the middle of the groove", lower < result.middle_angle[contacts]),
         ):
-            share = np.where(beyond, lost, 0.0).max(axis=(2, 3))
+            share = np.where(beyond, truncated, 0.0).max(axis=(2, 3))
             if not share.any():
                 continue
             column = int(np.flatnonzero(share.any(axis=0))[0])
@@ -75,7 +75,7 @@ def cut_off(result: BearingMapResult) -> list[str]:
     return sentences
 
 
-def _farther(upper: Array, lower: Array) -> Array:
+def _outermost(upper: Array, lower: Array) -> Array:
     return np.where(np.abs(lower) > np.abs(upper), lower, upper)
 
 
@@ -85,12 +85,12 @@ def _stiffness(result: BearingMapResult) -> list[str]:
     lines = [f"stiffness  [N/µm] of the bearing, tilts blocked, at {speeds} rpm{name}"]
     stiffness = result.stiffness[:, :, 0] * STIFFNESS.factor
     for k in range(len(result.load)):
-        words = [word for word in result.outcome[:, k] if word]
-        if len(words) == len(result.speed):
-            lines.append(f"{INDENT}{mounted_under(result, k)}: {words[0]}")
+        reasons = [reason for reason in result.outcome[:, k] if reason]
+        if len(reasons) == len(result.speed):
+            lines.append(f"{INDENT}{mounted_under(result, k)}: {reasons[0]}")
             continue
-        good = result.outcome[:, k] == ""
-        axial, radial = (over_speed(stiffness[good, k, i, i], result.speed[good]) for i in (0, 1))
+        valid = result.outcome[:, k] == ""
+        axial, radial = (over_speed(stiffness[valid, k, i, i], result.speed[valid]) for i in (0, 1))
         pressure = np.nanmax(np.fmax(result.inner_pressure, result.outer_pressure)[:, k]) / 1e9
         lines.append(
             f"{INDENT}{_solved(result, k)}: axial {axial}, radial {radial}; pressure up to "
@@ -100,23 +100,22 @@ def _stiffness(result: BearingMapResult) -> list[str]:
 
 
 def _solved(result: BearingMapResult, k: int) -> str:
-    """A load, with the first and the last speed that it has a state at where they are not those of
-    the case."""
-    good = result.outcome[:, k] == ""
-    if good[[0, -1]].all():
+    """Return a load as text, with the range of speeds that have a state where it is not all."""
+    valid = result.outcome[:, k] == ""
+    if valid[[0, -1]].all():
         return mounted_under(result, k)
-    return f"{mounted_under(result, k)}, at {from_to(result.speed[good] * RPM.factor, 0)} rpm"
+    return f"{mounted_under(result, k)}, at {from_to(result.speed[valid] * RPM.factor, 0)} rpm"
 
 
 def _contacts(result: BearingMapResult) -> list[str]:
-    """Of the most loaded ball at the first and last load, at the last speed."""
+    """Return lines on the most loaded ball at the first and last load, at the last speed."""
     rpm = result.speed[-1] * RPM.factor
     lines = [f"contacts   of the most loaded ball, at {rpm:.0f} rpm"]
     for k in dict.fromkeys((0, len(result.load) - 1)):
         if result.outcome[-1, k]:
             continue
         ball = int(result.loaded_ball[-1, k]) if result.ball.size > 1 else 0
-        place = f"ball {ball} at {result.ball[ball] * DEGREE.factor:.0f}°: "
+        ball_text = f"ball {ball} at {result.ball[ball] * DEGREE.factor:.0f}°: "
         parts = [
             f"{name} {load:.0f} N at {angle * DEGREE.factor:.1f}°"
             for name, load, angle in zip(
@@ -128,51 +127,51 @@ def _contacts(result: BearingMapResult) -> list[str]:
             if load > 0.0
         ]
         lines.append(
-            f"{INDENT}{mounted_under(result, k)}: {place if result.ball.size > 1 else ''}"
+            f"{INDENT}{mounted_under(result, k)}: {ball_text if result.ball.size > 1 else ''}"
             f"{', '.join(parts)}; {_numbers(result.contacts[-1, k])} contacts a ball"
         )
     return lines if len(lines) > 1 else []
 
 
 def _life(result: BearingMapResult) -> list[str]:
-    """Life and heat at the first and last load, at the first and last speed with a state."""
+    """Return lines on life and heat at the first and last load and speed with a state."""
     lines: list[str] = []
     for k in dict.fromkeys((0, len(result.load) - 1)):
-        good = result.outcome[:, k] == ""
-        if not good.any():
+        valid = result.outcome[:, k] == ""
+        if not valid.any():
             continue
-        life = f"{from_to(result.revolutions[good, k] * 1e-6, 0)} million revolutions"
-        text = f"{_solved(result, k)}: L10r {life}, S0 {from_to(result.static_safety[good, k])}"
-        if np.isfinite(result.viscous_heat[good, k]).any():
-            heat = (result.contact_heat + result.viscous_heat)[good, k]
-            turning = good & (result.speed > 0.0)
-            more = "; of the resultants where balls have more than two contacts, an estimate"
-            rough = bool((result.contacts[turning, k] > 2).any())
-            text += f", heat {from_to(heat, 0)} W (order of magnitude{more * rough})"
+        life = f"{from_to(result.revolutions[valid, k] * 1e-6, 0)} million revolutions"
+        text = f"{_solved(result, k)}: L10r {life}, S0 {from_to(result.static_safety[valid, k])}"
+        if np.isfinite(result.viscous_heat[valid, k]).any():
+            heat = (result.contact_heat + result.viscous_heat)[valid, k]
+            turning = valid & (result.speed > 0.0)
+            caveat = "; of the resultants where balls have more than two contacts, an estimate"
+            estimated = bool((result.contacts[turning, k] > 2).any())
+            text += f", heat {from_to(heat, 0)} W (order of magnitude{caveat * estimated})"
         lines.append(f"{'life       ' if not lines else INDENT}{text}")
     return lines
 
 
 def _heat(result: BearingMapResult) -> list[str]:
-    """Temperatures at the highest speed with a balance, speed limit: first and last load."""
+    """Return lines on temperatures at the highest speed with a balance, and the speed limit."""
     lines: list[str] = []
     for k in dict.fromkeys((0, len(result.load) - 1)):
-        known = np.flatnonzero(np.isfinite(result.ball_temperature[:, k]))
-        if not known.size:
+        balanced = np.flatnonzero(np.isfinite(result.ball_temperature[:, k]))
+        if not balanced.size:
             continue
-        row = known[-1]
+        row = balanced[-1]
         balls, inner, outer = (
             f"{getattr(result, name)[row, k]:.0f}"
             for name in ("ball_temperature", "inner_temperature", "outer_temperature")
         )
         limit = result.speed_limit[k] * RPM.factor
-        ends = (
+        limit_text = (
             f"speed limit {limit:.0f} rpm" if np.isfinite(limit) else "no speed limit up to there"
         )
         text = (
             f"{mounted_under(result, k)}: at {result.speed[row] * RPM.factor:.0f} rpm balls "
             f"{balls}, rings {inner} and {outer} °C, load {result.axial_force[row, k]:.0f} N; "
-            f"{ends}"
+            f"{limit_text}"
         )
         lines.append(f"{'warm       ' if not lines else INDENT}{text}")
     return lines
@@ -184,13 +183,13 @@ def _numbers(counts: NDArray[np.int_]) -> str:
 
 
 def numbers(result: BearingMapResult, _: Described) -> Iterator[Number]:
-    """Axial and radial stiffness by load."""
+    """Yield axial and radial stiffness, life, heat and speed limit by load."""
     values = result.stiffness[:, :, 0] * STIFFNESS.factor
     for k in _shown(result):
         name = under(result, k)
-        whose = f"{name}, stiffness" if isinstance(result, RadialMapResult) else name
+        title = f"{name}, stiffness" if isinstance(result, RadialMapResult) else name
         for i, way in enumerate(("axial", "radial")):
-            yield from each_speed(result, whose, STIFFNESS.unit, values[:, k, i, i], part=way)
+            yield from each_speed(result, title, STIFFNESS.unit, values[:, k, i, i], part=way)
         lives = result.revolutions[:, k] * 1e-6
         yield from each_speed(result, f"L10r {name}", "1e6", lives, digits=0)
         if np.isfinite(result.viscous_heat[:, k]).any():
@@ -202,18 +201,18 @@ def numbers(result: BearingMapResult, _: Described) -> Iterator[Number]:
 
 
 def _shown(result: BearingMapResult) -> list[int]:
-    """Loads whose numbers are printed: all of few, of many the first and the last."""
+    """Return the loads whose numbers are printed: all of few, of many the first and the last."""
     count = len(result.load)
     return list(range(count)) if count <= MOST_LOADS else [0, count - 1]
 
 
 def _turning(result: BearingMapResult) -> NDArray[np.bool_]:
-    """Where it turns under load (speeds, loads)."""
+    """Return where the bearing turns under load (speeds, loads)."""
     return (result.speed > 0.0)[:, None] & (result.equivalent_load > 0.0)
 
 
 def _beyond_life(result: BearingMapResult) -> Iterator[str]:
-    """Where loads leave what is known of lives, from the first such load of the list on."""
+    """Warn of loads beyond the range of life models, from the first such load of the list on."""
     rating = np.asarray(result.dynamic_rating)
 
     def low(at: slice) -> str:
@@ -231,7 +230,7 @@ def _beyond_life(result: BearingMapResult) -> Iterator[str]:
 
 
 def _overheated(result: BearingMapResult) -> Iterator[str]:
-    """Where temperatures run away first."""
+    """Warn of the lowest speed above which temperatures reach no balance."""
     if np.isfinite(result.speed_limit).any():
         k = int(np.nanargmin(result.speed_limit))
         yield (
@@ -242,7 +241,7 @@ def _overheated(result: BearingMapResult) -> Iterator[str]:
 
 
 def warnings(result: BearingMapResult) -> list[str]:
-    """Contacts pressed too hard, balls that slip, contact ellipses cut off."""
+    """Return warnings on pressure, slip, life, films, temperatures and truncated ellipses."""
     peak = np.fmax(result.inner_pressure, result.outer_pressure)
     loads = [f"under {mounted_under(result, k)}" for k in range(len(result.load))]
     sentences = [

@@ -1,4 +1,4 @@
-"""What static loads do to every bearing: its load and displacement, and the load of every ball."""
+"""Effect of static loads on every bearing: its load and displacement, the load of every ball."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a case asks of the loads of bearings and balls."""
+"""Specification of the loads of bearings and balls."""
 
 from __future__ import annotations
 

@@ -15,28 +15,28 @@ from rotordyn.results.text import over_speed, unbroken
 
 
 def summary(result: BearingLoadsResult) -> list[str]:
-    """Axial and radial load, and the largest ball load, over speed."""
+    """Return lines on axial and radial load, and the largest ball load, over speed."""
     largest = np.fmax.reduce(result.ball_inner_load, axis=2)
     lines = []
     for k, name in enumerate(result.bearing):
-        words = (
+        texts = (
             f"axial {over_speed(result.axial_load[:, k], result.speed)}",
             f"radial {over_speed(result.radial_load[:, k], result.speed)}",
             f"largest ball {over_speed(largest[:, k], result.speed)}",
         )
-        lines.append(f"loads      bearing {name} [N]: " + ", ".join(map(unbroken, words)))
+        lines.append(f"loads      bearing {name} [N]: " + ", ".join(map(unbroken, texts)))
     return lines
 
 
 def numbers(result: BearingLoadsResult, _: Described) -> Iterator[Number]:
-    """Largest inner load of a ball over speed, for each bearing."""
+    """Yield the largest inner load of a ball over speed, for each bearing."""
     largest = np.fmax.reduce(result.ball_inner_load, axis=2)
     for k, name in enumerate(result.bearing):
         yield from each_speed(result, "ball", "N", largest[:, k], part=name)
 
 
 def warnings(result: BearingLoadsResult) -> Iterator[str]:
-    """Bearings some ball of which loses its contact under the loads."""
+    """Warn of bearings of which some ball loses contact under the loads."""
     for k, name in enumerate(result.bearing):
         rows = np.flatnonzero(np.isfinite(result.loss_share[:, k]))
         if rows.size:

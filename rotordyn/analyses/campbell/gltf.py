@@ -1,7 +1,7 @@
 """A vibrating surface as binary glTF 2.0, which browsers and modelling programs play.
 
 Re(u e^(iτ)) = Re u cos τ − Im u sin τ: two morph targets, Re u and −Im u, with the weights cos τ
-and sin τ over one period. Nothing of the format is beyond its core.
+and sin τ over one period. Only the core of the format is used.
 """
 
 from __future__ import annotations
@@ -71,7 +71,7 @@ def write_glb(
 
 
 class _Buffer:
-    """The bytes of all arrays, and what the format says of each."""
+    """Bytes of all arrays, with the format's description of each."""
 
     def __init__(self) -> None:
         self.content = bytearray()
@@ -114,7 +114,7 @@ def _colours(share: NDArray[np.float64]) -> NDArray[np.uint8]:
 
 
 def _container(scene: dict[str, Any], content: bytes) -> bytes:
-    """Header and two chunks, text and numbers, each a multiple of four bytes."""
+    """Return header and two chunks, text and numbers, each a multiple of four bytes."""
     text = json.dumps(scene, allow_nan=False, separators=(",", ":")).encode()
     chunks = ((b"JSON", text + b" " * (-len(text) % 4)), (b"BIN\0", content))
     body = b"".join(struct.pack("<I", len(data)) + kind + data for kind, data in chunks)

@@ -37,7 +37,7 @@ class PartShapes:
 
     @property
     def order(self) -> Order:
-        """What is to be rendered."""
+        """Order of the pictures to render."""
         frames = FRAMES if self.spec.animation else 0
         result = self.result
         return Order(
@@ -46,30 +46,30 @@ class PartShapes:
 
     @property
     def heading(self) -> str:
-        """What stands at the top of its pictures."""
+        """Heading of its pictures."""
         return "  |  ".join(dict.fromkeys([self.spindle.title or self.spindle.name, self.title]))
 
     def inside(self, file: str) -> str:
-        """``file`` in the folder of this part."""
+        """Return the path of ``file`` in the folder of this part."""
         return f"{self.name}/{file}" if self.name else file
 
 
 class InSpace:
-    """The pictures that ``parts`` ask for; rendered inside this context, then their files are gone.
+    """Pictures that ``parts`` request, rendered within this context; their files are removed then.
 
-    Nothing is started where none are asked for. ``folder``: where their files are meanwhile, None
-    for the system's.
+    Nothing is started where none are requested. ``folder``: of these files, None for that of the
+    system.
     """
 
     def __init__(self, parts: Parts, folder: Path | None) -> None:
         self.omitted = Omitted()
         pictures = (_part_shapes(name, case, result) for name, (case, result) in parts.items())
-        self._parts = [each for each in pictures if each is not None and each.order.places]
+        self._parts = [part for part in pictures if part is not None and part.order.places]
         self._folder = folder
         self._rendering: Rendering | None = None
 
     def __enter__(self) -> InSpace:
-        orders = [each.order for each in self._parts]
+        orders = [part.order for part in self._parts]
         self._rendering = Rendering(orders, self._folder) if orders else None
         return self
 
@@ -86,8 +86,8 @@ class InSpace:
             return {}
         try:
             self._rendering.finish()
-        except NoPictures as none:
-            self.omitted = _omitted(self._parts, str(none))
+        except NoPictures as failure:
+            self.omitted = _omitted(self._parts, str(failure))
             return {}
         from rotordyn.figures.draw import Drawing
 
@@ -98,13 +98,13 @@ class InSpace:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Of the sheets."""
+        """Names of the sheets."""
         return _names(self._parts)
 
     @property
     def count(self) -> int:
-        """Of pictures and frames of animations."""
-        return sum(each.order.pictures for each in self._parts)
+        """Number of pictures and frames of animations."""
+        return sum(part.order.pictures for part in self._parts)
 
     def figure(self, name: str) -> Figure:
         """Wait for the pictures and draw one sheet.
@@ -118,8 +118,8 @@ class InSpace:
         assert self._rendering is not None, "drawn inside the context"
         try:
             self._rendering.finish()
-        except NoPictures as none:
-            raise InvalidInput(f"figure {name} cannot be drawn: {none}") from None
+        except NoPictures as failure:
+            raise InvalidInput(f"figure {name} cannot be drawn: {failure}") from None
         return drawn(dict(_sheets(self._parts, self._rendering))[name])
 
 
@@ -133,23 +133,23 @@ def _part_shapes(name: str, case: Described, result: CampbellResult) -> PartShap
 
 
 def _sheets(parts: list[PartShapes], rendering: Rendering) -> list[Job]:
-    """Name and drawing function of every sheet, once the pictures are rendered."""
+    """Return name and drawing function of every sheet, once the pictures are rendered."""
     from rotordyn.analyses.campbell.figures.shapes_3d import sheet_figure, sheets
     from rotordyn.figures.draw import titled
 
     jobs: list[Job] = []
-    for number, each in enumerate(parts):
+    for number, part in enumerate(parts):
         picture = partial(rendering.still, number)
-        for name, speed, modes in sheets(each.result):
-            draw = partial(sheet_figure, each.result, speed, modes, picture, each.order)
-            jobs.append((each.inside(name), partial(titled, draw, each.heading)))
+        for name, speed, modes in sheets(part.result):
+            draw = partial(sheet_figure, part.result, speed, modes, picture, part.order)
+            jobs.append((part.inside(name), partial(titled, draw, part.heading)))
     return jobs
 
 
 def _names(parts: list[PartShapes]) -> tuple[str, ...]:
     from rotordyn.analyses.campbell.figures.shapes_3d import sheets
 
-    return tuple(each.inside(name) for each in parts for name, *_ in sheets(each.result))
+    return tuple(part.inside(name) for part in parts for name, *_ in sheets(part.result))
 
 
 def _animate(parts: list[PartShapes], rendering: Rendering, folder: Path) -> dict[str, float]:
@@ -157,23 +157,23 @@ def _animate(parts: list[PartShapes], rendering: Rendering, folder: Path) -> dic
     from rotordyn.analyses.campbell.meshes import FOLDER, shape_name
 
     seconds = {}
-    for number, each in enumerate(parts):
-        for speed, mode in each.order.places if each.spec.animation else ():
+    for number, part in enumerate(parts):
+        for speed, mode in part.order.places if part.spec.animation else ():
             begin = time.perf_counter()
-            name = each.inside(f"{FOLDER}/{shape_name(each.result, speed, mode)}.gif")
+            name = part.inside(f"{FOLDER}/{shape_name(part.result, speed, mode)}.gif")
             (folder / name).parent.mkdir(exist_ok=True)
             frames = rendering.moving(number, speed, mode)
             save_animation(
-                folder / name, each.result, speed, mode, frames, each.order, each.heading
+                folder / name, part.result, speed, mode, frames, part.order, part.heading
             )
             seconds[name] = time.perf_counter() - begin
     return seconds
 
 
 def _omitted(parts: list[PartShapes], why: str) -> Omitted:
-    """Every figure that is missing, and one sentence for all."""
+    """Return every figure that is missing, and one sentence for all."""
     names = _names(parts)
-    animated = any(each.spec.animation for each in parts)
+    animated = any(part.spec.animation for part in parts)
     also = " and the animations" if animated else ""
     sentence = f"figures {', '.join(names)}{also} left out: {why}"
     return Omitted(dict.fromkeys(names, why), (sentence,))

@@ -1,4 +1,4 @@
-"""What may be compared of modes over speed."""
+"""Values of modes over speed to compare with references."""
 
 from __future__ import annotations
 
@@ -15,37 +15,37 @@ from rotordyn.results.known import SAME_SPEED, column
 
 
 def bending_frequencies(result: CampbellResult, speed: float) -> Array:
-    """Bending frequencies [Hz] at the nearest ``speed``, ascending; equal ones count once."""
+    """Return bending frequencies [Hz] at the nearest ``speed``, ascending; equal ones once."""
     values = _frequencies(result, speed, "bending")
     return values[np.diff(values, prepend=-np.inf) > 1e-4 * values]
 
 
 def mean_bending_frequencies(result: CampbellResult, speed: float) -> Array:
-    """Of each bending mode the mean of backward and forward [Hz] at the nearest ``speed``."""
+    """Return the means of backward and forward bending modes [Hz] at the nearest ``speed``."""
     backward, forward = (_frequencies(result, speed, "bending", whirl) for whirl in (-1.0, 1.0))
     pairs = min(backward.size, forward.size)
     return (backward[:pairs] + forward[:pairs]) / 2.0
 
 
 def torsion_frequencies(result: CampbellResult, speed: float) -> Array:
-    """Torsional frequencies [Hz] at the nearest ``speed``, ascending."""
+    """Return torsional frequencies [Hz] at the nearest ``speed``, ascending."""
     return _frequencies(result, speed, "torsion")
 
 
 def _frequencies(
     result: CampbellResult, speed: float, kind: str, whirl: float | None = None
 ) -> Array:
-    """Frequencies [Hz] of one kind, and of one whirl if given, at the nearest speed, ascending."""
-    at = int(np.argmin(np.abs(result.speed - speed)))
-    chosen = np.array([each == kind for each in result.kind], bool)
+    """Return frequencies [Hz] of one kind, of one ``whirl`` if given, ascending, at a speed."""
+    row = int(np.argmin(np.abs(result.speed - speed)))
+    chosen = np.array([mode_kind == kind for mode_kind in result.kind], bool)
     if whirl is not None:
-        chosen &= result.whirl[at] == whirl
-    values = np.sort(result.frequency[at, chosen])
+        chosen &= result.whirl[row] == whirl
+    values = np.sort(result.frequency[row, chosen])
     return values[np.isfinite(values)]
 
 
 def known(reference: Reference, result: CampbellResult, _: Spindle | None) -> Array | None:
-    """Of the one mode that is the subject at each speed, or of all modes at the one speed."""
+    """Return values of the one mode that is the subject, or of all modes at the one speed."""
     if reference.quantity not in MODES:
         return None
     speeds = np.asarray(reference.speeds, float)

@@ -36,8 +36,8 @@ INSTANTS = 24  # of a period in a series
 
 @dataclass(frozen=True, eq=False, slots=True)
 class MovingSurface:
-    """A surface [m] in one mode: ``shape`` (n, 3) complex as scaled in the results; times ``scale``
-    [m] it is what is drawn."""
+    """A surface [m] in one mode: complex ``shape`` (n, 3), scaled as in the results; the drawn
+    displacement is ``scale`` [m] times that."""
 
     name: str
     surface: Surface
@@ -51,55 +51,55 @@ class MovingSurface:
 
     @property
     def share(self) -> Array:
-        """Largest displacement of each point over that of the mode [1]."""
+        """Largest displacement of each point over the largest of the mode [1]."""
         size = reach(self.shape)
         return size / (size.max() or 1.0)
 
 
 def files(folder: Path, case: Described, result: CampbellResult) -> Iterator[File]:
-    """The meshes that a case asks for, in a folder of their own; a format may lack its package."""
+    """Yield the meshes that a case requests, in a folder; a format may lack its package."""
     spec = case.analyses.get("campbell")
     shapes = spec.shapes_3d if isinstance(spec, CampbellSpec) else None
     if shapes is None or case.spindle is None or not result.shape.size:
         return
     for extension in shapes.files:
-        one = replace(shapes, files=(extension,))
-        write = partial(write_shapes, folder / FOLDER, case.spindle, result, one)
+        single = replace(shapes, files=(extension,))
+        write = partial(write_shapes, folder / FOLDER, case.spindle, result, single)
         yield f"{FOLDER}/*.{extension}", write
 
 
 def write_shapes(
     folder: Path, spindle: Spindle, result: CampbellResult, spec: ShapesInSpaceSpec
 ) -> list[Path]:
-    """Write every mode of ``result`` that has a shape into ``folder``; returns the files."""
+    """Write every mode of ``result`` that has a shape into ``folder``; return the files."""
     if not spec.files:
         return []
     folder.mkdir(parents=True, exist_ok=True)
-    made = []
+    paths = []
     for moving in moving_surfaces(spindle, result, spec.amplitude):
         for extension in spec.files:
             path = folder / f"{moving.name}.{extension}"
             write_shape(path, moving)
-            made.append(path)
-    return made
+            paths.append(path)
+    return paths
 
 
 def moving_surfaces(
     spindle: Spindle, result: CampbellResult, amplitude: float
 ) -> Iterator[MovingSurface]:
-    """Each mode at each speed of its shapes; ``amplitude``: as in ``ShapesInSpaceSpec``."""
+    """Yield each mode at each speed of its shapes; ``amplitude``: as in ``ShapesInSpaceSpec``."""
     parts, shaft = surfaces(spindle), spindle.shaft
     surface = together(list(parts.values()))
     length = amplitude * (shaft.end - shaft.start)
     for speed, mode in np.argwhere(np.isfinite(result.shape).all(axis=(2, 3))).tolist():
         shape = result.shape[speed, mode]
-        moved = displacements(spindle, parts, result.node, result.node_rotor, shape)
+        motion = displacements(spindle, parts, result.node, result.node_rotor, shape)
         name = shape_name(result, speed, mode)
-        yield MovingSurface(name, surface, moved, drawn_scale(moved, shape, length))
+        yield MovingSurface(name, surface, motion, drawn_scale(motion, shape, length))
 
 
 def shape_name(result: CampbellResult, speed: int, mode: int) -> str:
-    """Name of the files of a mode at one of the speeds of the shapes: ``bending_1_0rpm``."""
+    """Return the file name of a mode at one of the speeds of the shapes: ``bending_1_0rpm``."""
     rpm = result.shape_speed[speed] * RPM.factor
     return f"{re.sub(r'[^a-z0-9]+', '_', result.mode[mode].lower())}_{rpm:.6g}rpm"
 
@@ -134,9 +134,9 @@ def _write_series(path: Path, moving: MovingSurface) -> None:
     import h5py
     from meshio.xdmf import TimeSeriesWriter
 
-    content = BytesIO()  # HDF5 itself, on a full disk, ends the process instead of saying so
+    content = BytesIO()  # HDF5 ends the process on a full disk, instead of an exception
     mesh, writer = _mesh(moving, moving.surface.points), TimeSeriesWriter(path)
-    writer.h5_filename = str(path.with_suffix(".h5"))  # meshio itself would write where we stand
+    writer.h5_filename = str(path.with_suffix(".h5"))  # meshio would write into the working folder
     with h5py.File(content, "w") as writer.h5_file:
         writer.write_points_cells(mesh.points, mesh.cells)
         for number, phase in enumerate(phases(INSTANTS)):

@@ -1,4 +1,4 @@
-"""What a page shows of it: the diagram with its critical speeds, modes, shapes that move."""
+"""Page of the Campbell diagram: its critical speeds, modes, and animated shapes."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ FACETS = 16
 
 
 def page(spec: Any, variants: Sequence[Shown]) -> Iterator[Block]:
-    """The diagram of the only machine, or all over one another; lists of every one."""
+    """Yield the diagram of one machine, or of all overlaid; lists of every one."""
     if len(variants) == 1:
         yield _diagram(spec, variants[0])
     else:
@@ -93,10 +93,10 @@ def _diagram(spec: Any, variant: Shown) -> Chart:
 def _ends(
     orders: Mapping[float, str], rpm: float, top: float
 ) -> Iterator[tuple[float, float, str]]:
-    """Where a line of excitation leaves the diagram, and its name."""
+    """Yield where a line of excitation leaves the diagram, and its name."""
     for order, name in orders.items():
-        leaves = min(rpm, 60.0 * top / order) if order > 0.0 else rpm
-        yield leaves, order * leaves / 60.0, name
+        end = min(rpm, 60.0 * top / order) if order > 0.0 else rpm
+        yield end, order * end / 60.0, name
 
 
 def _mode(result: CampbellResult, k: int) -> dict[str, Any]:
@@ -105,13 +105,13 @@ def _mode(result: CampbellResult, k: int) -> dict[str, Any]:
     colour, dash = _LINES[look]
     breaks = jumps(result)[:, k]
     x, y = broken(rpm, hertz, breaks)
-    words = [
+    hints = [
         f"{_WHIRL.get(_sign(w), result.kind[k])}, damping ratio {100.0 * ratio:.3g} %"
         for w, ratio in zip(result.whirl[:, k], result.damping_ratio[:, k], strict=True)
     ]
     at = np.flatnonzero(breaks) + 1
-    texts = np.insert(np.array(words, dtype=object), at, "") if at.size else words
-    trace = {"x": x, "y": y, "name": result.mode[k], "text": [str(word) for word in texts]}
+    texts = np.insert(np.array(hints, dtype=object), at, "") if at.size else hints
+    trace = {"x": x, "y": y, "name": result.mode[k], "text": [str(text) for text in texts]}
     if len(rpm) < FEW_POINTS:
         return trace | {
             "mode": "markers",
@@ -137,7 +137,7 @@ def _critical_marks(result: CampbellResult) -> list[dict[str, Any]]:
     shown = shown_criticals(result)
     if not shown:
         return []
-    numbers = [str(place) for place in range(1, len(shown) + 1)]
+    numbers = [str(number) for number in range(1, len(shown) + 1)]
     return [
         {
             "x": result.critical_speed[shown] * RPM.factor,
@@ -155,25 +155,25 @@ def _critical_marks(result: CampbellResult) -> list[dict[str, Any]]:
 def _known(variant: Shown) -> list[dict[str, Any]]:
     return [
         {
-            "x": np.asarray(each.speeds) * RPM.factor,
-            "y": np.asarray(each.values),
-            "name": f"{each.kind}{KNOWN[each.quantity][1]}",
-            "text": each.source,
+            "x": np.asarray(reference.speeds) * RPM.factor,
+            "y": np.asarray(reference.values),
+            "name": f"{reference.kind}{KNOWN[reference.quantity][1]}",
+            "text": reference.source,
             "mode": "markers",
             "marker": {
-                "symbol": f"{_MARKS[KNOWN[each.quantity][0]]}-open",
+                "symbol": f"{_MARKS[KNOWN[reference.quantity][0]]}-open",
                 "size": 10,
                 "color": INK,
                 "line": {"width": 2},
             },
         }
-        for each in variant.known
-        if each.quantity in KNOWN
+        for reference in variant.known
+        if reference.quantity in KNOWN
     ]
 
 
 def _criticals(result: CampbellResult, title: str) -> Iterator[Block]:
-    """Every critical speed, those beyond the top speed and those that nothing excites too."""
+    """Yield every critical speed, also beyond the top speed and without excitation."""
     if len(result.speed) < 2:
         return
     top, marked = float(result.speed[-1]), shown_criticals(result)
@@ -219,24 +219,24 @@ def _modes(result: CampbellResult, title: str, *, folded: bool) -> Iterator[Tabl
 
 
 def _shapes(variant: Shown, title: str) -> Iterator[Shapes]:
-    """Every mode at every speed of its shapes; only the motion of cross-sections is kept."""
+    """Yield every mode at every speed of its shapes; only motions of cross-sections are stored."""
     result: CampbellResult = variant.result
-    known = np.asarray(np.isfinite(result.shape).all(axis=(2, 3)))
-    if variant.spindle is None or not known.any():
+    exists = np.asarray(np.isfinite(result.shape).all(axis=(2, 3)))
+    if variant.spindle is None or not exists.any():
         return
     parts = surfaces(variant.spindle, FACETS)
     stations = {name: np.unique(part.station) for name, part in parts.items()}
-    before = np.cumsum([0, *map(len, stations.values())])
-    place = [
+    offsets = np.cumsum([0, *map(len, stations.values())])
+    section = [
         first + np.searchsorted(stations[name], part.station)
-        for first, (name, part) in zip(before, parts.items(), strict=False)
+        for first, (name, part) in zip(offsets, parts.items(), strict=False)
     ]
-    still = holders(variant.spindle, FACETS)
-    rows = np.flatnonzero(known.any(axis=1)).tolist()
-    columns = np.flatnonzero(known.any(axis=0)).tolist()
+    fixed = holders(variant.spindle, FACETS)
+    rows = np.flatnonzero(exists.any(axis=1)).tolist()
+    columns = np.flatnonzero(exists.any(axis=0)).tolist()
     speeds = [f"{rpm:.0f} rpm" for rpm in result.shape_speed[rows] * RPM.factor]
-    words = [
-        f"{result.mode[m]} at {speed}" if known[s, m] else "There is no such mode at this speed."
+    captions = [
+        f"{result.mode[m]} at {speed}" if exists[s, m] else "There is no such mode at this speed."
         for m in columns
         for s, speed in zip(rows, speeds, strict=True)
     ]
@@ -245,14 +245,14 @@ def _shapes(variant: Shown, title: str) -> Iterator[Shapes]:
         [Control("mode", [result.mode[k] for k in columns]), Control("speed", speeds, slider=True)],
         points=together(list(parts.values())).points,
         triangles=together(list(parts.values())).triangles,
-        place=np.concatenate(place),
+        place=np.concatenate(section),
         station=np.concatenate(list(stations.values())),
         motion=np.array(
             [[_motion(variant.spindle, stations, result, s, m) for s in rows] for m in columns]
         ),
-        still_points=np.zeros((0, 3)) if still is None else still.points,
-        still_triangles=np.zeros((0, 3), np.intp) if still is None else still.triangles,
-        words=words,
+        still_points=np.zeros((0, 3)) if fixed is None else fixed.points,
+        still_triangles=np.zeros((0, 3), np.intp) if fixed is None else fixed.triangles,
+        words=captions,
         note="Drag to turn. Displacements are exaggerated; a period takes two seconds.",
     )
 
@@ -260,10 +260,10 @@ def _shapes(variant: Shown, title: str) -> Iterator[Shapes]:
 def _motion(
     spindle: Spindle, stations: Mapping[str, Array], result: CampbellResult, speed: int, mode: int
 ) -> Complex:
-    """Displacements of the cross-sections as drawn, NaN where the mode does not exist."""
+    """Return displacements of the cross-sections as drawn, NaN where the mode does not exist."""
     shape = result.shape[speed, mode]
-    moved = section_motions(spindle, stations, result.node, result.node_rotor, shape)
+    motion = section_motions(spindle, stations, result.node, result.node_rotor, shape)
     if not np.isfinite(shape).all():
-        return moved
+        return motion
     length = AMPLITUDE * (spindle.shaft.end - spindle.shaft.start)
-    return moved * drawn_scale(moved[:, :3], shape, length)
+    return motion * drawn_scale(motion[:, :3], shape, length)

@@ -11,7 +11,7 @@ from rotordyn.scene.scene import Scene
 
 
 def passing(scene: Scene, wanted: tuple[str, ...]) -> tuple[tuple[str, ...], Array]:
-    """Names and frequencies (speeds, names) [Hz] of ``wanted``; bearings alike named together."""
+    """Return names and frequencies (speeds, names) [Hz]; identical bearings share a name."""
     if not wanted:
         return (), np.zeros((len(scene.speed), 0))
     from bearings.life import frequencies
@@ -21,8 +21,8 @@ def passing(scene: Scene, wanted: tuple[str, ...]) -> tuple[tuple[str, ...], Arr
     for seat, (state, column) in zip(scene.spindle.seats, scene.preload.seat_states(), strict=True):
         names.setdefault((id(state), column), []).append(seat.name)
         orders[id(state)] = frequencies(state)
-    good = np.array([word == "" for word in scene.outcome])
-    hertz = np.where(good, scene.speed, np.nan) / (2.0 * math.pi)
+    solved = np.array([reason == "" for reason in scene.outcome])
+    hertz = np.where(solved, scene.speed, np.nan) / (2.0 * math.pi)
     rates = {
         f"{which} {', '.join(seats)}": getattr(orders[key], which)[scene.bearing_row, column]
         * hertz

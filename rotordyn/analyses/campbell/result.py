@@ -29,22 +29,21 @@ class CampbellResult:
     ``shape``: displacements of the nodes at the speeds ``shape_speed``, scaled to a largest
     translation (or rotation) of 1, complex.
     ``pole``: λ of e^(λt) with Im λ ≥ 0. ``overdamped``: its damping ratio is above ``OVERDAMPED``,
-    so that the motion hardly swings. ``unconverged``: what still changes by more than the accuracy
-    asked for as the model is refined, a sentence, or "".
-    ``stability_threshold``: lowest speed of the range at which a mode begins to grow, infinite
-    where none does; ``first_to_grow``: that mode, "a divergence" of a motion that does not
-    vibrate, or "". ``rotor``: the spindle's shaft and further rotors, at ``speed_ratio`` times its
-    speed; ``node_rotor``: the one that a node is of; whirl is
-    forward the way the spindle turns. ``engine_order``: those whose critical speeds were sought;
-    ``critical``: the mode that turns at ``critical_order`` times
+    so that the motion hardly oscillates. ``unconverged``: what still changes by more than the
+    accuracy asked for as the model is refined, a sentence, or "". ``stability_threshold``: lowest
+    speed of the range at which a mode begins to grow, infinite where none does; ``first_to_grow``:
+    that mode, "a divergence" of a motion that does not vibrate, or "". ``rotor``: the spindle's
+    shaft and further rotors, at ``speed_ratio`` times its speed; ``node_rotor``: the rotor of each
+    node; whirl is forward in the direction in which the spindle turns. ``engine_order``: those
+    whose critical speeds were sought; ``critical``: the mode that turns at ``critical_order`` times
     the speed of ``critical_rotor`` where the spindle has ``critical_speed``, with its kind and
     damping ratio there; all are listed where it turns at ``max_frequency`` at most;
     ``critical_whirl``: forward, backward, planar, or mixed where parts of the shaft whirl either
     way; ``critical_excited``: false where a force that turns with the shaft does no work on it
     (order 1; axial, torsion, backward whirl of an isotropic rotor); a force of another order may
-    point anywhere. ``excited_by``: which way unbalance turns that excites a mode, forward,
-    backward or either; "" of axial motion and torsion. ``passing``: defects of bearings, those of
-    bearings alike once.
+    point anywhere. ``excited_by``: direction of the rotating unbalance that excites a mode,
+    forward, backward or either; "" of axial motion and torsion. ``passing``: defects of bearings,
+    of identical bearings once.
     """
 
     turning_frame: ClassVar[bool] = False
@@ -146,7 +145,7 @@ class CampbellResult:
 
     @property
     def unstable(self) -> Flags:
-        """Where a mode grows by itself (speeds, modes)."""
+        """Whether a mode is unstable (speeds, modes)."""
         return np.asarray(self.damping_ratio < -ROUNDING)
 
     @property
@@ -156,14 +155,14 @@ class CampbellResult:
 
     @property
     def largest_error(self) -> float:
-        """Of the frequencies where modes swing; those that hardly do are left out."""
-        swinging = ~self.mostly_overdamped & ~self.overdamped
-        return float(np.nanmax(np.where(swinging, self.frequency_error, 0.0), initial=0.0))
+        """Largest error of the frequencies where modes are not overdamped."""
+        oscillating = ~self.mostly_overdamped & ~self.overdamped
+        return float(np.nanmax(np.where(oscillating, self.frequency_error, 0.0), initial=0.0))
 
 
 @dataclass(frozen=True)
 class TurningCampbellResult(CampbellResult):
-    """The same with bending seen from the frame that turns with the shaft.
+    """Campbell result with bending observed from the rotating frame.
 
     A mode that whirls at ω (its sign the direction) in the fixed frame has |ω − Ω| there. Its
     ``whirl``, ``damping_ratio`` and ``shape`` stay those of the fixed frame, and so do axial motion

@@ -28,22 +28,22 @@ TIE = 1e-9  # of the largest displacement of a shape: less is rounding
 
 
 def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
-    """Bending, axial and torsion modes up to ``spec.max_frequency``, of a model refined until they
-    are as accurate as asked for (``refinement``).
+    """Solve bending, axial and torsion modes up to ``spec.max_frequency``, of a model refined to
+    the required accuracy (``refinement``).
 
     Raises
     ------
-    InvalidInput : the turning frame, and supports that do not answer alike in all directions
+    InvalidInput : the rotating frame, and anisotropic supports
     """
-    turned = scene.conditions.formulation == ROTATING
-    if turned:
+    rotating = scene.conditions.formulation == ROTATING
+    if rotating:
         require_isotropic(scene)
     band = Band(spec.max_frequency, spec.engine_orders)
-    wide = band._replace(max_frequency=scene.fineness.frequency) if turned else band
+    wide = band._replace(max_frequency=scene.fineness.frequency) if rotating else band
 
-    def modes(one: Scene) -> tuple[list[Branch], tuple[str, ...]]:
-        every = branches_of(one, wide)
-        return named([b for b in every if not turned or _within(one, b, band)])
+    def modes(model: Scene) -> tuple[list[Branch], tuple[str, ...]]:
+        candidates = branches_of(model, wide)
+        return named([b for b in candidates if not rotating or _within(model, b, band)])
 
     scene, (branches, names), errors = mode_errors(scene, band, modes)
     ends = sorted({0, len(scene.usable) - 1}) if spec.shapes else []
@@ -55,17 +55,17 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     linears = [scene.system(b.subsystem).linear for b in branches]
     rigid = [*map(rigid_share, linears, branches)]
     frequency = pole.imag
-    if turned:
+    if rotating:
         speed = scene.speed[scene.usable]
         frequency = _table([b.frequency_in_frame(speed) for b in branches], shape)
     with np.errstate(invalid="ignore", divide="ignore"):
         ratio = scene.scattered(-pole.real / np.abs(pole))
-        off = errors.frequency * np.where(frequency == pole.imag, 1.0, np.abs(pole) / frequency)
-    every = [scene.system(k).free_count for k in scene.with_motions(MOTIONS)]
-    free = np.sum([np.zeros(len(scene.usable)), *every], axis=0)  # rigid-body eigenvalues
+        error = errors.frequency * np.where(frequency == pole.imag, 1.0, np.abs(pole) / frequency)
+    counts = [scene.system(k).free_count for k in scene.with_motions(MOTIONS)]
+    free = np.sum([np.zeros(len(scene.usable)), *counts], axis=0)  # rigid-body eigenvalues
     defects, defect_frequency = passing(scene, spec.bearing_frequencies)
-    kind = TurningCampbellResult if turned else CampbellResult
-    return kind(
+    result_type = TurningCampbellResult if rotating else CampbellResult
+    return result_type(
         speed=scene.speed,
         mode=names,
         node=scene.mesh.stations,
@@ -76,7 +76,7 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         engine_order=np.array(spec.engine_orders, dtype=float),
         outcome=scene.outcome,
         frequency=scene.scattered(frequency / (2.0 * math.pi)),
-        frequency_error=scene.scattered(off),
+        frequency_error=scene.scattered(error),
         damping_error=scene.scattered(errors.damping),
         pole=scene.scattered(pole),
         max_frequency=spec.max_frequency,
@@ -111,9 +111,9 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
 
 
 def _within(scene: Scene, branch: Branch, band: Band) -> bool:
-    """A mode comes into the band in some frame, at some speed."""
-    turning = branch.frequency_in_frame(scene.speed[scene.usable])
-    both = np.concatenate([turning, np.abs(branch.track.pole.imag)])
+    """Return whether a mode is within the band in some frame, at some speed."""
+    rotating = branch.frequency_in_frame(scene.speed[scene.usable])
+    both = np.concatenate([rotating, np.abs(branch.track.pole.imag)])
     return bool(np.nanmin(both) <= band.highest)
 
 
@@ -125,22 +125,22 @@ def _excited_by(scene: Scene, branch: Branch) -> str:
 
 
 def _table(rows: list[Array], shape: tuple[int, int]) -> Array:
-    """Values of the branches (usable, modes)."""
+    """Return values of the branches as (usable, modes)."""
     return np.array(rows, dtype=float).reshape(shape[::-1]).T
 
 
 def _shapes(scene: Scene, branches: list[Branch], ends: list[int]) -> Complex:
-    """Node displacements (ends, modes, nodes, 6); of each the largest translation, in torsion the
-    largest twist, is 1 and real."""
+    """Return node displacements (ends, modes, nodes, 6), scaled so that the largest translation, in
+    torsion the largest twist, is 1 and real."""
     shape = (len(ends), len(branches), len(scene.mesh.stations), 6)
     shapes = np.full(shape, complex(np.nan, np.nan))
-    for place, row in enumerate(ends):
+    for end, row in enumerate(ends):
         for k, branch in enumerate(branches):
             if branch.column[row] >= 0:
                 motion = scene.system(branch.subsystem).linear.motion
-                moved = times(motion, branch.vector[row][:, None])[..., 0]
-                pool = moved[:, position("thx")] if branch.kind == "torsion" else moved[:, :3]
+                u = times(motion, branch.vector[row][:, None])[..., 0]
+                pool = u[:, position("thx")] if branch.kind == "torsion" else u[:, :3]
                 size = np.abs(pool).ravel()  # on a circle y and z are equal but for rounding: y
                 largest = int((size >= (1.0 - TIE) * size.max()).argmax())
-                shapes[place, k] = moved / pool.flat[largest]
+                shapes[end, k] = u / pool.flat[largest]
     return shapes

@@ -1,4 +1,4 @@
-"""What a case asks of the modes over speed (SI)."""
+"""Specification of modes over speed (SI)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How its result is laid out in tables."""
+"""Layout of the result in tables."""
 
 from __future__ import annotations
 

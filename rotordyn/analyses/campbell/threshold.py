@@ -1,9 +1,8 @@
-"""The speed from which some motion grows by itself, solved for.
+"""Stability threshold: the speed from which some motion grows.
 
-What is led to zero is the largest growth of all modes of a system up to the highest frequency
-followed: where two modes meet and part into one that grows and one that decays, no single one could
-be followed there. A motion that grows without swinging, a divergence, is none of the followed modes
-and counts as well.
+It is the zero of the largest growth of all modes of a system up to the highest frequency followed:
+where two modes coalesce and split into a growing and a decaying one, no single one can be followed.
+A divergence, which grows without oscillation, is none of the followed modes and counts as well.
 """
 
 from __future__ import annotations
@@ -22,30 +21,30 @@ from rotordyn.numerics.modes import grows, swings
 from rotordyn.scene.scene import Scene
 
 DIVERGENCE = "a divergence"  # in place of a mode
-CLOSE = 1e-10  # of the speed: it is known so well
-ABOVE = 1e-6  # of the speed: what begins to grow has begun
-ROUNDING = 1e-12  # of |pole|: growth that is none
-HIGHER = 1.01  # than at the speeds beside: between them a mode may be so much
+CLOSE = 1e-10  # of the speed: tolerance of the threshold
+ABOVE = 1e-6  # of the speed: beyond the threshold by this much a motion grows
+ROUNDING = 1e-12  # of |pole|: smaller growth counts as zero
+HIGHER = 1.01  # highest frequency followed between two speeds, over that of the mode at them
 
 
 def stability_threshold(
     scene: Scene, band: Band, branches: Sequence[Branch], names: Sequence[str]
 ) -> tuple[float, str]:
-    """Lowest speed [rad/s] of the case's range at which a followed mode begins to grow, and which,
-    or ``DIVERGENCE``.
+    """Return the lowest speed [rad/s] of the case's range at which a followed mode begins to grow,
+    and its name, or ``DIVERGENCE``.
 
-    Infinite and "" where none does; the first speed where one grows from there on.
+    Infinite and "" where none grows; the first speed of the range where one grows from there.
     """
 
-    def onset(subsystem: int, speed: Array, growing: Flags, known: Flags) -> float:
+    def onset(subsystem: int, speed: Array, growing: Flags, valid: Flags) -> float:
         row = int(growing.argmax())
-        if row and known[row - 1]:
+        if row and valid[row - 1]:
             low, high = float(speed[row - 1]), float(speed[row])
-            return _begin(scene, subsystem, followed(subsystem, high), low, high)
+            return _onset(scene, subsystem, followed(subsystem, high), low, high)
         return float(speed[row])
 
     def followed(subsystem: int, speed: float) -> float:
-        return _up_to(band, [each for each in branches if each.subsystem == subsystem], speed)
+        return _highest(band, [each for each in branches if each.subsystem == subsystem], speed)
 
     onsets: list[tuple[float, str, int]] = []
     subsystems = {branch.subsystem for branch in branches}
@@ -64,53 +63,53 @@ def stability_threshold(
     if not onsets:
         return math.inf, ""
     first, name, subsystem = min(onsets)
-    own = [(b, n) for b, n in zip(branches, names, strict=True) if b.subsystem == subsystem]
-    return first, _grown(scene, subsystem, followed(subsystem, first), first, own) or name
+    members = [(b, n) for b, n in zip(branches, names, strict=True) if b.subsystem == subsystem]
+    return first, _unstable(scene, subsystem, followed(subsystem, first), first, members) or name
 
 
-def _up_to(band: Band, branches: Iterable[Branch], speed: float) -> float:
-    """The highest frequency followed about a speed [rad/s]: that of the band, or of modes that
-    leave it."""
+def _highest(band: Band, branches: Iterable[Branch], speed: float) -> float:
+    """Return the highest frequency followed near a speed [rad/s]: that of the band, or of modes
+    that leave it."""
     highest = band.highest
     for track in (branch.track for branch in branches):
-        at = int(np.searchsorted(track.speed, speed))
-        beside = track.pole.imag[max(at - 1, 0) : at + 1]
-        highest = float(np.fmax.reduce(HIGHER * beside, initial=highest))
+        row = int(np.searchsorted(track.speed, speed))
+        adjacent = track.pole.imag[max(row - 1, 0) : row + 1]
+        highest = float(np.fmax.reduce(HIGHER * adjacent, initial=highest))
     return highest
 
 
-def _grown(
-    scene: Scene, subsystem: int, highest: float, speed: float, own: Sequence[tuple[Branch, str]]
+def _unstable(
+    scene: Scene, subsystem: int, highest: float, speed: float, modes: Sequence[tuple[Branch, str]]
 ) -> str:
-    """Which mode of a subsystem, or ``DIVERGENCE``, grows most just above a speed: the one whose
-    pole, straight between the speeds beside, is nearest; of several that grow farther up one has
-    begun. Empty where there is no equilibrium."""
+    """Return the mode of a subsystem, or ``DIVERGENCE``, that grows most just above a speed: the
+    one whose pole, interpolated over speed, is nearest; several may grow farther up. Empty where
+    there is no equilibrium."""
     above = min((1.0 + ABOVE) * speed, float(scene.speed[-1]))  # where tables of supports may end
-    pole = _fastest(scene, subsystem, highest, above)
-    if pole is None or not own:
+    pole = _fastest_pole(scene, subsystem, highest, above)
+    if pole is None or not modes:
         return ""
     if not swings(np.array([pole]))[0]:
         return DIVERGENCE
 
-    def away(branch: Branch) -> float:
+    def distance(branch: Branch) -> float:
         track = branch.track
-        known = ~track.lost
-        if not known.any():
+        valid = ~track.lost
+        if not valid.any():
             return math.inf
-        return float(abs(np.interp(speed, track.speed[known], track.pole[known]) - pole))
+        return float(abs(np.interp(speed, track.speed[valid], track.pole[valid]) - pole))
 
-    return min((away(branch), name) for branch, name in own)[1]
+    return min((distance(branch), name) for branch, name in modes)[1]
 
 
 def _diverging(motions: FreeMotions) -> Flags:
-    """Motions (s, k) that grow without swinging."""
+    """Return which motions (s, k) grow without oscillation."""
     return np.asarray(motions.growing & ~swings(motions.pole))
 
 
-def _begin(scene: Scene, subsystem: int, highest: float, low: float, high: float) -> float:
-    """Where the largest growth becomes positive between two speeds, by Brent's method, which finds
-    jumps too: by loss factors growth changes its sign at once. Where there is no equilibrium on the
-    way, the lowest speed known to grow."""
+def _onset(scene: Scene, subsystem: int, highest: float, low: float, high: float) -> float:
+    """Return the speed between two at which the largest growth becomes positive, by Brent's method,
+    which locates jumps too: with loss factors growth changes its sign abruptly. Where there is no
+    equilibrium in between, return the lowest speed at which growth is positive."""
     from scipy.optimize import brentq
 
     growing = [high]
@@ -124,26 +123,26 @@ def _begin(scene: Scene, subsystem: int, highest: float, low: float, high: float
         return value
 
     try:
-        ends = growth(low), growth(high)
-        if not ends[0] < 0.0 < ends[1]:
-            return low if ends[0] >= 0.0 else high
+        values = growth(low), growth(high)
+        if not values[0] < 0.0 < values[1]:
+            return low if values[0] >= 0.0 else high
         return float(brentq(growth, low, high, xtol=CLOSE * high, rtol=CLOSE))
     except NoSolution:
         return min(growing)
 
 
 def _growth(scene: Scene, subsystem: int, highest: float, speed: float) -> float:
-    """Largest Re λ over |λ| of what swings below the ``highest`` frequency [rad/s] or diverges,
-    below zero of a motion that rounding alone would let grow; NaN where there is no equilibrium."""
-    pole = _fastest(scene, subsystem, highest, speed)
+    """Return the largest Re λ / |λ| of motions that oscillate below the ``highest`` frequency
+    [rad/s] or diverge; negative where it is rounding alone, NaN where there is no equilibrium."""
+    pole = _fastest_pole(scene, subsystem, highest, speed)
     if pole is None:
         return math.nan
     ratio = pole.real / abs(pole)
     return -ROUNDING if abs(ratio) <= ROUNDING else ratio
 
 
-def _fastest(scene: Scene, subsystem: int, highest: float, speed: float) -> complex | None:
-    """The pole of that motion, −1 where there is none; None without equilibrium."""
+def _fastest_pole(scene: Scene, subsystem: int, highest: float, speed: float) -> complex | None:
+    """Return the pole of that motion, −1 where there is none; None without equilibrium."""
     other = scene.at(np.array([speed]))
     if any(other.outcome):
         return None

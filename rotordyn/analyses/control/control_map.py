@@ -1,4 +1,4 @@
-"""Over load and speed, which race controls the balls: where control begins and ends.
+"""Map of race control over load and speed: where control by a race begins and ends.
 
 Jones' criterion, drawn as a map by Noël (doctoral thesis, Arts et Métiers, 2013, Fig. 2.8).
 """
@@ -21,10 +21,10 @@ Array = NDArray[np.float64]
 Index = NDArray[np.intp]
 RACES = ("inner", "outer")
 LIGHTEST = 1e-3  # N
-LEVELS = 48  # loads between which a change of control is looked for
+LEVELS = 48  # loads between which a change of control is sought
 LOG_TOLERANCE = 1e-10  # of a boundary, relative
 UPWARD = np.array([[[1.0]], [[-1.0]]])  # how the margin of each race crosses zero at its boundary
-ABSENT = (  # words by race: margin positive, negative, crossing zero the other way
+ABSENT = (  # sentences by race: margin positive, negative, crossing zero in the other direction
     (
         "inner race controls at every load that has a state",
         "inner race controls at no load that has a state",
@@ -81,10 +81,10 @@ def control_map(
     Parameters
     ----------
     speed : of the inner ring, shape (s,) [rad/s]
-    lowest, highest : axial loads between which to look, from 1 mN up [N]
-    radial : radial over axial load; 0 = purely axial, where all balls are alike
+    lowest, highest : ends of the range of axial loads, from 1 mN up [N]
+    radial : radial over axial load; 0 = purely axial, where all balls are equal
     static_growth, growth : as for ``equilibrium``; growth (s,) [m]
-    law : what is assumed of the balls
+    law : hypotheses on the balls
 
     Raises
     ------
@@ -105,8 +105,8 @@ def control_map(
     state = sweep.state(np.broadcast_to(load, rows.shape), rows)
     margins, third = least_margins(state), three_contacts(state)
     boundary, absence, changes = _boundaries(sweep, load, margins)
-    few = np.strings.replace(absence, "that has a state", "with two contacts a ball")
-    absence = np.where(third.any(axis=1), few, absence)
+    two_contacts = np.strings.replace(absence, "that has a state", "with two contacts a ball")
+    absence = np.where(third.any(axis=1), two_contacts, absence)
     outcome = np.where(third, THIRD, state.outcome)
     absence = np.where((outcome != "").all(axis=1), outcome[:, -1], absence)
     return ControlMap(
@@ -123,20 +123,20 @@ def control_map(
 
 
 def least_margins(state: BearingState) -> Array:
-    """Of both races the margin of the loaded ball that has the least (2, …); NaN without state, or
+    """Return the smallest margin of any loaded ball for both races (2, …); NaN without state, or
     where a loaded ball has more than two contacts."""
     margins = np.where(state.inner_load > 0.0, np.stack(state.control_margins), np.inf)
-    told = (state.outcome == "") & ~three_contacts(state)
-    return np.where(told, margins.min(axis=-1), np.nan)
+    valid = (state.outcome == "") & ~three_contacts(state)
+    return np.where(valid, margins.min(axis=-1), np.nan)
 
 
 def three_contacts(state: BearingState) -> NDArray[np.bool_]:
-    """Whether a ball has more than two contacts (…), which its inner race then loads."""
+    """Return whether a ball has more than two contacts (…), which its inner race then loads."""
     return np.asarray((state.contacts > 2).any(axis=-1))
 
 
 def resting_weight(bearing: BallBearing) -> float:
-    """C = ai Ei/(ao Eo) of equal ball loads: that of a bearing at rest, the limit of heavy loads.
+    """Return C = ai Ei/(ao Eo) for equal ball loads: that at rest, the limit of heavy loads.
 
     Above 1 the inner race controls at heavy load, below 1 the outer race does.
     """
@@ -145,7 +145,7 @@ def resting_weight(bearing: BallBearing) -> float:
 
 
 def quadratic(speed: Array, load: Array) -> tuple[Array, float]:
-    """Least-squares (a, b, c) of F = a ω² + b ω + c, and its largest misfit.
+    """Return least-squares (a, b, c) of F = a ω² + b ω + c, and the largest misfit.
 
     ``speed`` and ``load`` (n,), at least four; units of the result follow theirs.
     """
@@ -162,10 +162,10 @@ class _Sweep:
     speed: Array
     growth: Array
     radial: float
-    question: dict[str, Any]
+    arguments: dict[str, Any]
 
     def state(self, load: Array, rows: Index) -> BearingState:
-        """States under axial ``load`` (…) at the speeds ``rows`` (…)."""
+        """Solve the states under axial ``load`` (…) at the speeds ``rows`` (…)."""
         force = np.full((*load.shape, 5), np.nan)
         force[..., :3] = load[..., None] * np.array([1.0, self.radial, 0.0])
         return self.bearing.equilibrium(
@@ -173,31 +173,31 @@ class _Sweep:
             displacement=np.array([np.nan, np.nan, np.nan, 0.0, 0.0]),
             speed=self.speed[rows],
             growth=self.growth[rows],
-            **self.question,
+            **self.arguments,
         )
 
 
 def _boundaries(
     sweep: _Sweep, load: Array, margins: Array
 ) -> tuple[Array, NDArray[np.str_], NDArray[np.int_]]:
-    """Boundaries, words where there are none, and changes, each (2, s)."""
-    before, after = np.sign(margins[..., :-1]), np.sign(margins[..., 1:])
-    crossing = before * after < 0.0  # never next to a load without state
-    wanted = crossing & (after * UPWARD > 0.0)
+    """Return boundaries, sentences where there are none, and changes, each (2, s)."""
+    lower, upper = np.sign(margins[..., :-1]), np.sign(margins[..., 1:])
+    crossing = lower * upper < 0.0  # never next to a load without state
+    bounding = crossing & (upper * UPWARD > 0.0)
     positive, negative = (margins > 0.0).any(axis=-1), (margins < 0.0).any(axis=-1)
     kind = np.where(positive & negative, 2, np.where(positive, 0, 1))
     absence = np.array(ABSENT)[np.arange(2)[:, None], kind]
     boundary = np.full(kind.shape, np.nan)
-    race, row = np.nonzero(wanted.any(axis=-1))
+    race, row = np.nonzero(bounding.any(axis=-1))
     if race.size:
-        last = wanted.shape[-1] - 1 - wanted[race, row, ::-1].argmax(axis=-1)
+        last = bounding.shape[-1] - 1 - bounding[race, row, ::-1].argmax(axis=-1)
         boundary[race, row] = _roots(sweep, race, row, load[last], load[last + 1])
         absence[race, row] = np.where(np.isnan(boundary[race, row]), UNRESOLVED, "")
     return boundary, absence, crossing.sum(axis=-1)
 
 
 def _roots(sweep: _Sweep, race: Index, row: Index, low: Array, high: Array) -> Array:
-    """Loads (n,) from ``low`` to ``high`` at which the margins cross zero; NaN without state."""
+    """Return loads (n,) from ``low`` to ``high`` where margins cross zero; NaN without state."""
     from scipy.optimize import elementwise
 
     def margin(log_load: Array, entry: Array) -> Array:
@@ -215,7 +215,7 @@ def _roots(sweep: _Sweep, race: Index, row: Index, low: Array, high: Array) -> A
 
 
 def _pressures(sweep: _Sweep, boundary: Array) -> Array:
-    """Largest contact pressure in the states at the boundaries (2, s)."""
+    """Return the largest contact pressure in the states at the boundaries (2, s)."""
     pressure = np.full(boundary.shape, np.nan)
     race, row = np.nonzero(np.isfinite(boundary))
     if race.size:

@@ -22,7 +22,7 @@ from rotordyn.results.kinds import Array
 from rotordyn.scene.conditions import Conditions
 
 TERMS = ("quadratic", "linear", "constant")
-LEAST_SPEEDS = 4  # that a fit of three terms can miss
+LEAST_SPEEDS = 4  # from which a fit of three terms has a misfit
 THOUSAND_RPM = 1000.0 / RPM.factor  # [rad/s]
 BOUNDARY_WORDS = {"inner": "inner race controls above", "outer": "outer race controls up to"}
 
@@ -30,7 +30,7 @@ BOUNDARY_WORDS = {"inner": "inner race controls above", "outer": "outer race con
 def answer(
     bearing: BallBearing, conditions: Conditions, speed: Array, spec: ControlSpec
 ) -> ControlResult:
-    """Both boundaries of race control at every speed with their fits, and the margins between.
+    """Solve both boundaries of race control at every speed, with fits, and margins in between.
 
     Raises
     ------
@@ -45,21 +45,21 @@ def answer(
         static_growth=spec.static_growth,
         law=conditions.law,
     )
-    lost = (computed.outcome != "").all(axis=1)
-    if lost.all():
+    failed = (computed.outcome != "").all(axis=1)
+    if failed.all():
         raise NoSolution(
             f"no load and speed of the case has race control: {computed.outcome[0, -1]}"
         )
     load, absence = _physical(computed)
-    fits, misfits, words = _fits(speed, load)
+    fits, misfits, fit_absence = _fits(speed, load)
     return ControlResult(
         speed=speed,
         load=computed.load,
         boundary=RACES,
         term=TERMS,
         outcome=tuple(
-            f"{word} at {omega * RPM.factor:.0f} rpm" if none else ""
-            for none, word, omega in zip(lost, computed.outcome[:, -1], speed, strict=True)
+            f"{reason} at {omega * RPM.factor:.0f} rpm" if fails else ""
+            for fails, reason, omega in zip(failed, computed.outcome[:, -1], speed, strict=True)
         ),
         radial=spec.radial,
         resting_weight=resting_weight(bearing),
@@ -69,7 +69,7 @@ def answer(
         changes=computed.changes,
         fit=fits,
         fit_misfit=misfits,
-        fit_absence=words,
+        fit_absence=fit_absence,
         state=computed.outcome,
         inner_margin=computed.inner_margin,
         outer_margin=computed.outer_margin,
@@ -77,7 +77,7 @@ def answer(
 
 
 def fit_words(result: ControlResult) -> dict[str, str]:
-    """The fits that exist, as printed, by race; n stands for thousands of rpm."""
+    """Return the fits that exist as text, by race; n stands for thousands of rpm."""
     scale = THOUSAND_RPM ** np.array([2.0, 1.0, 0.0])
     return {
         race: f"{a:.4g} n² {_signed(b)} n {_signed(c)} N, n in 1000 rpm, misfit {misfit:.2g} N"
@@ -89,7 +89,7 @@ def fit_words(result: ControlResult) -> dict[str, str]:
 
 
 def fitted(result: ControlResult, place: int) -> Array:
-    """Loads [N] of a fit at the speeds of the result."""
+    """Return the loads [N] of a fit at the speeds of the result."""
     return np.asarray(np.polyval(result.fit[place], result.speed))
 
 
@@ -98,19 +98,19 @@ def _signed(value: float) -> str:
 
 
 def _physical(computed: ControlMap) -> tuple[Array, NDArray[np.str_]]:
-    """Boundaries and absences; those beyond what contacts can bear are none."""
+    """Return boundaries and absences; beyond the highest contact pressure there is no boundary."""
     over = computed.pressure > HIGHEST_PRESSURE
-    word = f"boundary overloaded (peak pressure above {HIGHEST_PRESSURE / 1e9:g} GPa)"
-    return np.where(over, np.nan, computed.boundary), np.where(over, word, computed.absence)
+    reason = f"boundary overloaded (peak pressure above {HIGHEST_PRESSURE / 1e9:g} GPa)"
+    return np.where(over, np.nan, computed.boundary), np.where(over, reason, computed.absence)
 
 
 def _fits(speed: Array, load: Array) -> tuple[Array, Array, tuple[str, ...]]:
-    """Coefficients (2, 3) over ω, misfits (2,), and why a fit does not exist."""
+    """Return coefficients (2, 3) over ω, misfits (2,), and why a fit does not exist."""
     fits, misfits = np.full((len(RACES), len(TERMS)), np.nan), np.full(len(RACES), np.nan)
-    words = [f"fewer than {LEAST_SPEEDS} speeds have this boundary"] * len(RACES)
-    for place, values in enumerate(load):
-        known = np.isfinite(values)
-        if known.sum() >= LEAST_SPEEDS:
-            fits[place], misfits[place] = quadratic(speed[known], values[known])
-            words[place] = ""
-    return fits, misfits, tuple(words)
+    absence = [f"fewer than {LEAST_SPEEDS} speeds have this boundary"] * len(RACES)
+    for k, values in enumerate(load):
+        finite = np.isfinite(values)
+        if finite.sum() >= LEAST_SPEEDS:
+            fits[k], misfits[k] = quadratic(speed[finite], values[finite])
+            absence[k] = ""
+    return fits, misfits, tuple(absence)

@@ -1,4 +1,4 @@
-"""What a case asks of the race that controls the balls of a single bearing (SI)."""
+"""Specification of race control in a single bearing (SI)."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ from rotordyn.results.headline import Number, each_speed
 
 
 def summary(result: ControlResult) -> list[str]:
-    """Which race controls under heavy load, both boundaries with their fits, or why none."""
+    """Return lines on control under heavy load, both boundaries with their fits, or why none."""
     weight = result.resting_weight
     heavy = "inner race" if weight > 1.0 else "outer race" if weight < 1.0 else "neither race"
     radial = f", radial {result.radial:g} of it" if result.radial else ""
@@ -25,9 +25,9 @@ def summary(result: ControlResult) -> list[str]:
     fits = fit_words(result)
     for place, (race, word) in enumerate(BOUNDARY_WORDS.items()):
         load, absent = result.boundary_load[place], result.boundary_absence[place]
-        known = np.flatnonzero(np.isfinite(load))
-        if known.size:
-            ends = " → ".join(_at_speed(load[k], result.speed[k]) for k in known[[0, -1]])
+        finite = np.flatnonzero(np.isfinite(load))
+        if finite.size:
+            ends = " → ".join(_at_speed(load[k], result.speed[k]) for k in finite[[0, -1]])
             lines.append(f"           {word} {ends}")
         if race in fits:
             lines.append(f"           fit: {fits[race]}")
@@ -48,6 +48,6 @@ def _at_speed(load: float, speed: float) -> str:
 
 
 def numbers(result: ControlResult, _: Described) -> Iterator[Number]:
-    """Loads at both boundaries."""
+    """Yield the loads at both boundaries."""
     for name, load in zip(("inner from", "outer up to"), result.boundary_load, strict=True):
         yield from each_speed(result, name, "N", load, digits=0)

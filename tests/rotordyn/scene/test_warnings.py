@@ -18,7 +18,7 @@ from rotordyn.machine.seat import BearingSeat
 from rotordyn.results.balls import gripping, pressed, slipping, softened
 from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.scene import Scene
-from rotordyn.scene.warnings import _lost, bearing_warnings
+from rotordyn.scene.warnings import _unloaded_balls, bearing_warnings
 from tests.oracles.spindles import RPM, conditions, mfw2310
 from tests.rotordyn.figures import samples
 
@@ -124,18 +124,18 @@ def test_a_bearing_within_its_play_is_told() -> None:
     assert (deep.bearing.both_ways, angular.bearing.both_ways) == (True, False)
     load = np.array([[5.0, 0.0, 2.0], [0.0, 0.0, 0.0]])
     speed, usable = np.array([0.0, 300.0]), np.array([True, True])
-    (said,) = _lost("rear", speed, usable, load, deep)
+    (said,) = _unloaded_balls("rear", speed, usable, load, deep)
     assert "it stands within its play at 2865 rpm" in said
-    assert not [*_lost("rear", speed[:1], usable[:1], load[:1], deep)]
+    assert not [*_unloaded_balls("rear", speed[:1], usable[:1], load[:1], deep)]
     three, usable = np.array([0.0, 100.0, 300.0]), np.full(3, fill_value=True)
     for first_ball, when in (
         ([0.0, 0.0, 0.0], "its play from 0 rpm on:"),
         ([5.0, 0.0, 0.0], "its play from 955 rpm on:"),
         ([0.0, 5.0, 0.0], "its play at 2 of 3 speeds, first at 0 rpm:"),
     ):
-        (said,) = _lost("rear", three, usable, np.outer(first_ball, np.ones(3)), deep)
+        (said,) = _unloaded_balls("rear", three, usable, np.outer(first_ball, np.ones(3)), deep)
         assert when in said
-    (some,) = _lost("a", speed[:1], usable[:1], load[:1], angular)
+    (some,) = _unloaded_balls("a", speed[:1], usable[:1], load[:1], angular)
     assert "1 of its 3 balls carry nothing" in some
 
 

@@ -19,7 +19,7 @@ code = partial(Code, __name__)
 
 
 def figures(_: Described, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
-    """The figures of a result."""
+    """Yield the figures of a result."""
     yield "axial_cycle", partial(code("loops:cycle_figure"), result)
     yield "axial_stiffness", partial(code("loops:stiffness_figure"), result)
     if np.isfinite(result.held_force).any():
@@ -27,7 +27,7 @@ def figures(_: Described, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
 
 
 def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
-    """Displacement of the shaft at the first and last speed, stiffness at no load over speed."""
+    """Yield displacement of the shaft at the first and last speed, stiffness at no load."""
     result, rpm = variant.result, variant.result.speed * RPM.factor
     for index in sorted({0, len(rpm) - 1}):
         for k, name in enumerate(result.branch):

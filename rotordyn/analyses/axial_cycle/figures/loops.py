@@ -27,19 +27,19 @@ if TYPE_CHECKING:
 
 
 def cycle_figure(result: AxialCycleResult, speeds: int = 3) -> Figure:
-    """Displacement under force, and loads over displacement: first, middle and last speed."""
+    """Draw displacement over force, and loads over displacement: first, middle and last speed."""
     picked = evenly(result.speed.size, speeds)
     figure = new_figure(168.0, 130.0)
     boxes = grid_boxes(figure, 2, len(picked), margins=(16.0, 6.0, 12.0, 9.0), gaps=(9.0, 17.0))
-    for place, index in enumerate(picked):
-        first = not place
+    for panel, index in enumerate(picked):
+        first = not panel
         shift = result.position[index, ..., SHAFT] * MICROMETRE.factor
         upper = add_axes(
-            figure, boxes[place], "axial force [N]", "axial shift of the shaft [µm]" * first
+            figure, boxes[panel], "axial force [N]", "axial shift of the shaft [µm]" * first
         )
         lower = add_axes(
             figure,
-            boxes[len(picked) + place],
+            boxes[len(picked) + panel],
             "axial shift of the shaft [µm]",
             "axial load [N]" * first,
         )
@@ -58,7 +58,7 @@ def cycle_figure(result: AxialCycleResult, speeds: int = 3) -> Figure:
 
 
 def stiffness_figure(result: AxialCycleResult) -> Figure:
-    """Axial stiffness at no load over speed, a line per branch."""
+    """Draw axial stiffness at no load over speed, a line per branch."""
     figure = new_figure(168.0, 90.0)
     axes = add_axes(
         figure, (15.0, 11.0, 147.0, 74.0), "speed [rpm]", "axial stiffness at no load [N/µm]"
@@ -74,17 +74,17 @@ def stiffness_figure(result: AxialCycleResult) -> Figure:
 
 
 def held_figure(result: AxialCycleResult, speeds: int = 5) -> Figure:
-    """Cyclic force within which friction holds the sleeves, over its mean: some of the speeds at
-    which it does."""
-    known = np.flatnonzero(np.isfinite(result.held_force).any(axis=1))
-    picked = known[evenly(len(known), speeds)]
+    """Draw the cyclic force within which friction holds the sleeves, over its mean, at some of the
+    speeds at which it does."""
+    held_rows = np.flatnonzero(np.isfinite(result.held_force).any(axis=1))
+    picked = held_rows[evenly(len(held_rows), speeds)]
     figure = new_figure(168.0, 90.0)
     axes = add_axes(
         figure, (15.0, 11.0, 147.0, 74.0), "mean axial force [N]", "cyclic force held [±N]"
     )
-    for place, index in enumerate(picked):
+    for k, index in enumerate(picked):
         name = f"{result.speed[index] * RPM.factor:.0f} rpm"
-        axes.plot(result.held_mean[index], result.held_force[index], label=name, **line_of(place))
+        axes.plot(result.held_mean[index], result.held_force[index], label=name, **line_of(k))
     axes.set_ylim(bottom=0.0)
     legend(axes)
     return figure

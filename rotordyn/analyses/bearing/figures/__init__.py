@@ -22,7 +22,7 @@ code = partial(Code, __name__)
 
 
 def figures(case: Described, result: Any, _: Mapping[str, Any]) -> Iterator[Job]:
-    """The figures of a result."""
+    """Yield the figures of a result."""
     yield "bearing", partial(code("over_load:bearing_figure"), result)
     yield "bearing_motion", partial(code("over_load:motion_figure"), result)
     yield "bearing_life", partial(code("over_load:life_figure"), result)
@@ -38,8 +38,8 @@ def figures(case: Described, result: Any, _: Mapping[str, Any]) -> Iterator[Job]
 
 
 def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
-    """Stiffness and motion; what stands beside the stiffness where one chooses; all by load, or
-    over load by speed where speeds are few."""
+    """Yield stiffness, motion, and criteria for the choice of a load; all by load, or over load by
+    speed where speeds are few."""
     result = variant.result
     kxx, kyy = (result.stiffness[:, :, 0, i, i] * STIFFNESS.factor for i in (0, 1))
     yield from _curves(result, "bearing", "stiffness Kxx", STIFFNESS.unit, kxx)
@@ -55,7 +55,7 @@ def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
 
 
 def _choice(result: Any, stiffness: Array) -> Iterator[Curve]:
-    """Stiffness, life, heat, required friction, pressure, speed limit or static safety."""
+    """Yield stiffness, life, heat, friction, pressure, and speed limit or static safety."""
     name = "bearing_life"
     pressure = np.fmax(result.inner_pressure, result.outer_pressure) * GIGAPASCAL.factor
     friction = np.fmax(result.inner_grip, result.outer_grip)
@@ -67,10 +67,10 @@ def _choice(result: Any, stiffness: Array) -> Iterator[Curve]:
     yield from _curves(result, name, "required friction", "-", friction)
     yield from _curves(result, name, "peak pressure", GIGAPASCAL.unit, pressure)
     if np.isfinite(result.ball_temperature).any():
-        below = axis_label(result, "load")
+        along = axis_label(result, "load")
         limit = result.speed_limit * RPM.factor
         yield Curve(
-            *(name, "speed limit of heat", "rpm", result.load, limit), along=below, limits=(0, None)
+            *(name, "speed limit of heat", "rpm", result.load, limit), along=along, limits=(0, None)
         )
     else:
         yield from _curves(result, name, "static safety S0", "-", result.static_safety)
@@ -86,17 +86,17 @@ def _curves(
     log: bool = False,
     limits: tuple[float | None, float | None] = (0.0, None),
 ) -> Iterator[Curve]:
-    how: Any = {"limits": (None, None) if log else limits, "log": log}
+    look: Any = {"limits": (None, None) if log else limits, "log": log}
     rpm = result.speed * RPM.factor
     if along_load(result):
-        below = axis_label(result, "load")
+        along = axis_label(result, "load")
         for k in range(len(rpm)):
             series = f"{rpm[k]:.0f} rpm"
             yield Curve(
-                *(figure, label, unit, result.load, values[k]), series=series, along=below, **how
+                *(figure, label, unit, result.load, values[k]), series=series, along=along, **look
             )
         return
     for k in range(len(result.load)):
         yield Curve(
-            figure, label, unit, rpm, values[:, k], series=under(result, k, " axial"), **how
+            figure, label, unit, rpm, values[:, k], series=under(result, k, " axial"), **look
         )

@@ -26,8 +26,8 @@ MOST_COLUMNS = 3
 
 
 def azimuth_figure(result: BearingMapResult) -> Figure:
-    """Load and angle of every contact over the azimuth of its ball, at the last speed; and how far
-    raceways give where rings deform.
+    """Draw load and angle of every contact over the azimuth of its ball, at the last speed; and the
+    deflection of raceways where rings are flexible.
 
     Columns: first, middle and last load that have a state; bars are the extents of the contact
     ellipses, lines the ends of grooves.
@@ -39,26 +39,26 @@ def azimuth_figure(result: BearingMapResult) -> Figure:
     boxes = grid_boxes(figure, rows, len(columns), margins=(15.0, 4.0, 12.0, 10.0), gaps=(5.0, 6.0))
     top = np.nanmax(result.contact_load[-1], initial=0.0) / 1e3
     panels = []
-    for place, load in enumerate(columns):
-        first = place == 0
-        below = "azimuth of the ball, from y to z [deg]" if len(columns) < 3 else "azimuth [deg]"
-        upper = add_axes(figure, boxes[place], "", "contact load [kN]" if first else "")
+    for panel, load in enumerate(columns):
+        first = panel == 0
+        x_label = "azimuth of the ball, from y to z [deg]" if len(columns) < 3 else "azimuth [deg]"
+        upper = add_axes(figure, boxes[panel], "", "contact load [kN]" if first else "")
         lower = add_axes(
             figure,
-            boxes[len(columns) + place],
-            "" if rows > 2 else below,
+            boxes[len(columns) + panel],
+            "" if rows > 2 else x_label,
             "contact angle [deg]" if first else "",
         )
         _loads(upper, result, load)
         _angles(lower, result, load)
         column = [upper, lower]
         if rows > 2:
-            word = "ring deflection [µm]" if first else ""
-            column.append(add_axes(figure, boxes[2 * len(columns) + place], below, word))
+            y_label = "ring deflection [µm]" if first else ""
+            column.append(add_axes(figure, boxes[2 * len(columns) + panel], x_label, y_label))
             _deflections(column[-1], result, load)
         upper.set_ylim(0.0, max(top, 1e-9) * 1.06)
-        words = f"{mounted_under(result, load, ' axial')}, {result.speed[-1] * RPM.factor:.0f} rpm"
-        upper.set_title(words, fontsize=FONT_SIZE, pad=3.0)
+        title = f"{mounted_under(result, load, ' axial')}, {result.speed[-1] * RPM.factor:.0f} rpm"
+        upper.set_title(title, fontsize=FONT_SIZE, pad=3.0)
         for axes in column:
             axes.set_xlim(-8.0, 368.0)
             axes.set_xticks([0.0, 90.0, 180.0, 270.0, 360.0])
@@ -69,8 +69,8 @@ def azimuth_figure(result: BearingMapResult) -> Figure:
 
 
 def _loads(axes: Axes, result: BearingMapResult, load: int) -> None:
-    for place, name in loaded_contacts(result):
-        values = result.contact_load[-1, load, :, place]
+    for k, name in loaded_contacts(result):
+        values = result.contact_load[-1, load, :, k]
         axes.plot(
             result.ball * DEGREE.factor,
             np.where(values > 0.0, values, np.nan) / 1e3,
@@ -83,8 +83,8 @@ def _loads(axes: Axes, result: BearingMapResult, load: int) -> None:
 
 
 def _deflections(axes: Axes, result: BearingMapResult, load: int) -> None:
-    for place, name in loaded_contacts(result):
-        values = result.ring_deflection[-1, load, :, place] * 1e6
+    for k, name in loaded_contacts(result):
+        values = result.ring_deflection[-1, load, :, k] * 1e6
         axes.plot(
             result.ball * DEGREE.factor,
             values,
@@ -93,15 +93,15 @@ def _deflections(axes: Axes, result: BearingMapResult, load: int) -> None:
             ms=2.6,
             lw=0.9,
         )
-    whole = result.ring_deflection[-1] * 1e6
-    low, high = np.nanmin(whole, initial=0.0), np.nanmax(whole, initial=0.0)
+    deflection = result.ring_deflection[-1] * 1e6
+    low, high = np.nanmin(deflection, initial=0.0), np.nanmax(deflection, initial=0.0)
     axes.set_ylim(low - 0.06 * (high - low), high + 0.06 * (high - low))
 
 
 def _angles(axes: Axes, result: BearingMapResult, load: int) -> None:
-    for place, name in loaded_contacts(result):
+    for k, name in loaded_contacts(result):
         low, middle, high = (
-            values[-1, load, :, place] * DEGREE.factor
+            values[-1, load, :, k] * DEGREE.factor
             for values in (result.ellipse_lower, result.contact_angle, result.ellipse_upper)
         )
         azimuth, colour = result.ball * DEGREE.factor, COLOURS[name]

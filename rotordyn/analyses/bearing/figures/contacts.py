@@ -1,4 +1,4 @@
-"""Contacts of a single bearing: loads, angles, ellipse ends, pressures, how many a ball has."""
+"""Contacts of a single bearing: loads, angles, ellipse ends, pressures, number per ball."""
 
 from __future__ import annotations
 
@@ -42,12 +42,12 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 MOST_CURVES = 3  # of one contact
 COUNTED = (GREY, SKY, BLACK, PURPLE, "#7A8B2F")  # by number of contacts
-WIDTHS = {"i": 2.0, "o": 1.0}  # the outer contacts are seen on the inner ones
+WIDTHS = {"i": 2.0, "o": 1.0}  # thin outer contacts remain visible on the inner ones
 SHADES = ("#FFFFFF", "#F1F1F1", "#D1E4F1", "#F9E0D2", "#E8B79B")  # by number of contacts
 
 
 class Sweep(NamedTuple):
-    """What a curve runs over, with the places and names of those that are drawn."""
+    """The variable that curves run over, with the indices and names of the curves drawn."""
 
     values: Array
     label: str
@@ -56,24 +56,24 @@ class Sweep(NamedTuple):
     over_load: bool
 
     def of(self, values: NDArray[Any]) -> NDArray[Any]:
-        """The swept dimension first, the other one second: from (speed, load, …)."""
+        """Return values (speed, load, …) with the swept dimension first, the other one second."""
         return values.swapaxes(0, 1) if self.over_load else values
 
 
 def contacts_figure(result: BearingMapResult) -> Figure:
-    """Load, angle with ellipse ends, pressure by contact, and number of contacts.
+    """Draw load, angle with ellipse ends, pressure by contact, and number of contacts.
 
     Loads and pressures are the largest of all balls; angles those of the ball which loads a contact
     most, ellipse ends the extremes of all balls.
     """
     figure = new_figure(168.0, 128.0)
     run = _sweep(result)
-    of = "largest " if result.ball.size > 1 else ""
-    names = [f"{of}contact load [kN]", "contact angle [deg]", f"{of}peak pressure [GPa]", ""]
+    most = "largest " if result.ball.size > 1 else ""
+    names = [f"{most}contact load [kN]", "contact angle [deg]", f"{most}peak pressure [GPa]", ""]
     boxes = grid_boxes(figure, 2, 2, margins=(16.0, 8.0, 12.0, 8.0), gaps=(19.0, 9.0))
     axes = [
-        add_axes(figure, box, run.label if place > 1 else "", name)
-        for place, (box, name) in enumerate(zip(boxes, names, strict=True))
+        add_axes(figure, box, run.label if k > 1 else "", name)
+        for k, (box, name) in enumerate(zip(boxes, names, strict=True))
     ]
     load = np.where(result.contact_load > 0.0, result.contact_load, np.nan) / 1e3
     pressure = np.where(result.contact_load > 0.0, result.contact_pressure, np.nan)
@@ -81,9 +81,9 @@ def contacts_figure(result: BearingMapResult) -> Figure:
     _by_contact(axes[2], result, run, pressure * GIGAPASCAL.factor)
     _angles(axes[1], result, run)
     (_numbers if result.ball.size > 1 else _map)(axes[3], result, run)
-    for place, each in enumerate(axes):
-        _abscissa(each, run)
-        each.tick_params(labelbottom=place > 1)
+    for k, panel in enumerate(axes):
+        _abscissa(panel, run)
+        panel.tick_params(labelbottom=k > 1)
     if len(run.chosen) > 1:
         for dash, name in zip(DASHES, run.names, strict=False):
             axes[0].plot([], [], color="#444444", ls=dash, label=name)
@@ -110,7 +110,7 @@ def _abscissa(axes: Axes, run: Sweep) -> None:
 
 
 def _largest(values: Array) -> Array:
-    """Over the balls, of (…, ball, contact); NaN where none is loaded."""
+    """Return the largest of all balls from (…, ball, contact); NaN where none is loaded."""
     return np.fmax.reduce(values, axis=-2)
 
 
@@ -118,16 +118,16 @@ def _by_contact(
     axes: Axes, result: BearingMapResult, run: Sweep, values: Array, *, label: bool = False
 ) -> None:
     shown = run.of(_largest(values))
-    for place, name in loaded_contacts(result):
+    for k, name in loaded_contacts(result):
         for dash, other in zip(DASHES, run.chosen, strict=False):
-            named = f"contact {name}" if label and other == run.chosen[0] else None
+            legend_name = f"contact {name}" if label and other == run.chosen[0] else None
             look: dict[str, Any] = {"ls": dash, **_look(name)}
-            axes.plot(run.values, shown[:, other, place], label=named, **look)
+            axes.plot(run.values, shown[:, other, k], label=legend_name, **look)
     axes.set_ylim(0.0, axes.get_ylim()[1] * 1.05)
 
 
 def _look(name: str) -> dict[str, Any]:
-    """Colour, width and marks of a contact."""
+    """Return colour, width and marks of a contact."""
     start = 0.03 + 0.04 * list(COLOURS).index(name)
     marks = {
         "marker": MARKS[name],
@@ -140,18 +140,16 @@ def _look(name: str) -> dict[str, Any]:
 
 
 def _angles(axes: Axes, result: BearingMapResult, run: Sweep) -> None:
-    """At the last of the other dimension: angles in full, ends of ellipses thin."""
+    """Draw angles, and thinly the ends of ellipses, at the last of the other dimension."""
     ball = np.nan_to_num(result.contact_load).argmax(axis=-2)
     angle = np.take_along_axis(result.contact_angle, ball[..., None, :], axis=-2)[..., 0, :]
     upper = np.fmax.reduce(result.ellipse_upper, axis=-2)
     lower = np.fmin.reduce(result.ellipse_lower, axis=-2)
     last = run.chosen[-1]
-    for place, name in loaded_contacts(result):
+    for k, name in loaded_contacts(result):
         colour = COLOURS[name]
-        low, middle, high = (
-            run.of(v)[:, last, place] * DEGREE.factor for v in (lower, angle, upper)
-        )
-        of_ball = run.of(ball)[:, last, place]
+        low, middle, high = (run.of(v)[:, last, k] * DEGREE.factor for v in (lower, angle, upper))
+        of_ball = run.of(ball)[:, last, k]
         draw_runs(axes, run.values, middle, of_ball, **_look(name))
         for end in (low, high):
             axes.plot(run.values, end, color=colour, lw=0.7, ls=":")
@@ -164,15 +162,15 @@ def _angles(axes: Axes, result: BearingMapResult, run: Sweep) -> None:
 
 
 def _numbers(axes: Axes, result: BearingMapResult, run: Sweep) -> None:
-    """How many balls have how many contacts."""
+    """Draw the number of balls by number of contacts."""
     axes.set_ylabel("number of balls [-]", fontsize=FONT_SIZE)
     for count in range(int(result.contacts.max()) + 1):
         balls = run.of((result.contacts == count).sum(axis=-1).astype(float))
         if not balls.any():
             continue
         for dash, other in zip(DASHES, run.chosen, strict=False):
-            words = f"{count} contact{'' if count == 1 else 's'}"
-            name = words if other == run.chosen[0] else None
+            text = f"{count} contact{'' if count == 1 else 's'}"
+            name = text if other == run.chosen[0] else None
             look = {"color": COUNTED[count], "ls": dash, "label": name, **marked(count)}
             axes.plot(run.values, balls[:, other], **look)
     axes.set_ylim(0.0, result.ball.size * 1.35)  # curves end at all balls: the legend lies above
@@ -181,22 +179,22 @@ def _numbers(axes: Axes, result: BearingMapResult, run: Sweep) -> None:
 
 
 def _map(axes: Axes, result: BearingMapResult, run: Sweep) -> None:
-    """Number of contacts over the sweep, a row for each of the other dimension."""
+    """Draw the number of contacts over the sweep, a row for each value of the other dimension."""
     shown = run.of(result.contacts[..., 0])
     axes.grid(visible=False)
     axes.set_title("number of contacts [-]", fontsize=FONT_SIZE - 1.0, pad=2.5)
     steps = np.diff(run.values, prepend=2 * run.values[0] - run.values[min(1, run.values.size - 1)])
     left = run.values - steps / 2.0
-    wide = np.append(np.diff(left), steps[-1])
+    widths = np.append(np.diff(left), steps[-1])
     for row in range(shown.shape[1]):
         for count in np.unique(shown[:, row]):
-            here = shown[:, row] == count
+            cells = shown[:, row] == count
             axes.barh(
-                np.full(int(here.sum()), row), wide[here], left=left[here], height=0.86,
+                np.full(int(cells.sum()), row), widths[cells], left=left[cells], height=0.86,
                 color=SHADES[count], edgecolor=SHADES[count], lw=0.3,
             )  # fmt: skip
             axes.text(
-                float(np.mean(run.values[here])), row, f"{count}", ha="center", va="center",
+                float(np.mean(run.values[cells])), row, f"{count}", ha="center", va="center",
                 fontsize=FONT_SIZE - 1.0, color=GREY,
             )  # fmt: skip
     rows = range(shown.shape[1])

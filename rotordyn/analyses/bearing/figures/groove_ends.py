@@ -1,4 +1,4 @@
-"""Where grooves end, beside contact angles, and the colours of contacts."""
+"""Ends of grooves beside contact angles, and the colours of contacts."""
 
 from __future__ import annotations
 
@@ -19,23 +19,23 @@ RINGS = {"i": ("inner", "--"), "o": ("outer", "-.")}
 
 
 def loaded_contacts(result: BearingMapResult) -> list[tuple[int, str]]:
-    """Place and name of the contacts that bear load anywhere."""
-    some = np.nan_to_num(result.contact_load).max(axis=(0, 1, 2)) > 0.0
-    return [(place, name) for place, name in enumerate(result.contact) if some[place]]
+    """Return index and name of the contacts that carry load anywhere."""
+    loaded = np.nan_to_num(result.contact_load).max(axis=(0, 1, 2)) > 0.0
+    return [(k, name) for k, name in enumerate(result.contact) if loaded[k]]
 
 
 def groove_ends(axes: Axes, result: BearingMapResult) -> None:
-    """Lines at the shoulders and at the middles of grooves [deg], as far as they are known."""
+    """Draw lines at shoulders and middles of grooves [deg], where they are known."""
     top = float(np.nanmax(result.ellipse_upper, initial=0.0)) * DEGREE.factor
     for letter, (ring, dash) in RINGS.items():
-        at = next(k for k, name in enumerate(result.contact) if name.startswith(letter))
+        contact = next(k for k, name in enumerate(result.contact) if name.startswith(letter))
         for angle, what, width in (
-            (result.shoulder_angle[at], f"shoulder of the {ring} ring", 0.9),
-            (result.middle_angle[at], f"middle of the {ring} groove", 0.6),
+            (result.shoulder_angle[contact], f"shoulder of the {ring} ring", 0.9),
+            (result.middle_angle[contact], f"middle of the {ring} groove", 0.6),
         ):
             if np.isfinite(angle):
-                here = angle * DEGREE.factor
-                top = max(top, here)
-                axes.axhline(here, color=BLACK, lw=width, ls=dash, label=what)
+                degrees = angle * DEGREE.factor
+                top = max(top, degrees)
+                axes.axhline(degrees, color=BLACK, lw=width, ls=dash, label=what)
     low = min(0.0, float(np.nanmin(result.ellipse_lower, initial=0.0)) * DEGREE.factor)
     axes.set_ylim(low * 1.05, top * 1.06)

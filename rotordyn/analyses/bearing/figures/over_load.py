@@ -1,4 +1,4 @@
-"""A single bearing over load and speed."""
+"""Curves of a single bearing over load and speed."""
 
 from __future__ import annotations
 
@@ -35,30 +35,29 @@ if TYPE_CHECKING:
 
 
 def bearing_figure(result: BearingMapResult) -> Figure:
-    """Axial and radial stiffness, contact angles and peak pressures, colour and marks per load.
+    """Draw axial and radial stiffness, contact angles and peak pressures over speed, per load.
 
-    Of few speeds over load, colour and marks per speed. Angles and pressures are those of the most
-    loaded ball where balls differ; with several contacts a race, the angle is that of their
-    resultant.
+    Where speeds are few, curves run over load. Angles and pressures are those of the most loaded
+    ball where balls differ; with several contacts a race, the angle is that of their resultant.
     """
     kind = "" if result.tangent[0] == "complete" else f", {result.tangent[0]}"
-    of = ", most loaded ball" if result.ball.size > 1 else ""
+    suffix = ", most loaded ball" if result.ball.size > 1 else ""
     names = [f"stiffness Kxx{kind} [N/µm]", f"stiffness Kyy{kind} [N/µm]"]
     angle = "contact angle" if len(result.contact) == 2 else "resultant angle"
-    names += [f"{angle}{of} [deg]", f"peak pressure{of} [GPa]"]
+    names += [f"{angle}{suffix} [deg]", f"peak pressure{suffix} [GPa]"]
     figure, axes = _panels(names, result)
     stiffness = result.stiffness * STIFFNESS.factor
     _curves(axes[0], result, _entry(result, stiffness, "x"), label=True)
     _curves(axes[1], result, _entry(result, stiffness, "y"))
-    for place, (inner, outer), factor in (
+    for k, (inner, outer), factor in (
         (2, (result.inner_angle, result.outer_angle), DEGREE.factor),
         (3, (result.inner_pressure, result.outer_pressure), GIGAPASCAL.factor),
     ):
-        _curves(axes[place], result, inner * factor, of_ball=True)
-        _curves(axes[place], result, outer * factor, dash=1, of_ball=True)
-    for each in axes:
-        low, high = each.get_ylim()
-        each.set_ylim(min(0.0, low), high * 1.05)
+        _curves(axes[k], result, inner * factor, of_ball=True)
+        _curves(axes[k], result, outer * factor, dash=1, of_ball=True)
+    for panel in axes:
+        low, high = panel.get_ylim()
+        panel.set_ylim(min(0.0, low), high * 1.05)
     for dash, race in enumerate(("inner race", "outer race")):
         axes[2].plot([], [], color="#444444", ls=DASHES[dash], label=race)
     top_legend(figure, axes[0])
@@ -67,43 +66,42 @@ def bearing_figure(result: BearingMapResult) -> Figure:
 
 
 def motion_figure(result: BearingMapResult) -> Figure:
-    """What the load moves, half-length of the contact ellipse, centrifugal force, gyroscopic
-    moment."""
-    what, unit, moved = motion(result)
-    names = [f"{what} [{unit}]", "half-length of the ellipse [mm]"]
+    """Draw deflection, half-length of the contact ellipse, centrifugal force, gyroscopic moment."""
+    name, unit, deflection = motion(result)
+    names = [f"{name} [{unit}]", "half-length of the ellipse [mm]"]
     names += ["centrifugal force [N]", "gyroscopic moment [N·mm]"]
     figure, axes = _panels(names, result)
-    _curves(axes[0], result, moved, label=True)
+    _curves(axes[0], result, deflection, label=True)
     _curves(axes[1], result, longest(result) * 1e3)
     _curves(axes[2], result, result.centrifugal_force, of_ball=True)
     _curves(axes[3], result, result.gyroscopic_moment * 1e3, of_ball=True)
     axes[0].axhline(0.0, color=BLACK, lw=0.6)
-    for each in axes[1:]:
-        with_zero(each, 1.05)
+    for panel in axes[1:]:
+        with_zero(panel, 1.05)
     top_legend(figure, axes[0])
     return figure
 
 
 def life_figure(result: BearingMapResult) -> Figure:
-    """Life, inclination of the ball's rotation, required friction, and heat or static safety."""
-    oiled = np.isfinite(result.viscous_heat).any()
+    """Draw life, inclination β of balls, required friction, and heat or static safety."""
+    with_oil = np.isfinite(result.viscous_heat).any()
     names = ["life L10r [1e6 revolutions]", "inclination β [deg]", "required friction μ [-]"]
-    names += ["heat, order of magnitude [W]" if oiled else "static safety S0 [-]"]
+    names += ["heat, order of magnitude [W]" if with_oil else "static safety S0 [-]"]
     figure, axes = _panels(names, result)
-    last = result.contact_heat + result.viscous_heat if oiled else result.static_safety
+    last = result.contact_heat + result.viscous_heat if with_oil else result.static_safety
     _curves(axes[0], result, result.revolutions * 1e-6, label=True)
     _curves(axes[1], result, result.attitude * DEGREE.factor, of_ball=True)
     _curves(axes[2], result, np.fmax(result.inner_grip, result.outer_grip), of_ball=True)
     _curves(axes[3], result, last)
     log_axis(axes[0])
-    for each in axes[2:]:
-        with_zero(each, 1.05)
+    for panel in axes[2:]:
+        with_zero(panel, 1.05)
     top_legend(figure, axes[0])
     return figure
 
 
 def heat_figure(result: BearingMapResult) -> Figure:
-    """Temperatures, load at work and heat of a bearing that warms up, and its speed limit."""
+    """Draw temperatures, operating load and heat of a warm bearing, and its speed limit."""
     names = ["temperature [°C]", "axial load at work [N]", "heat, order of magnitude [W]"]
     figure, axes = _beside_limit([*names, "speed limit [rpm]"], result)
     _curves(axes[0], result, result.ball_temperature)
@@ -123,8 +121,8 @@ def heat_figure(result: BearingMapResult) -> Figure:
             fontsize=FONT_SIZE - 1.0,
         )
         axes[3].set_ylim(0.0, top)
-    for each in axes[1:]:
-        with_zero(each, 1.05)
+    for panel in axes[1:]:
+        with_zero(panel, 1.05)
     for dash, part in enumerate(("balls", "inner ring", "outer ring")):
         axes[0].plot([], [], color="#444444", ls=DASHES[dash], label=part)
     top_legend(figure, axes[1])
@@ -133,21 +131,21 @@ def heat_figure(result: BearingMapResult) -> Figure:
 
 
 def _panels(names: Sequence[str], result: BearingMapResult) -> tuple[Figure, list[Axes]]:
-    """Four panels over speed, or over load."""
+    """Return four panels over speed, or over load."""
     loads = axis_label(result, "load") if along_load(result) else ""
     return four_over_speed(names, result.speed, loads)
 
 
 def _beside_limit(names: Sequence[str], result: BearingMapResult) -> tuple[Figure, list[Axes]]:
-    """The same, the last one over load in any case."""
+    """Return four panels, the last one over load in any case."""
     if along_load(result):
         return _panels(names, result)
     figure = new_figure(168.0, 126.0)
     boxes = grid_boxes(figure, 2, 2, margins=(15.0, 6.0, 12.0, 8.0), gaps=(18.0, 13.0))
-    below = [*["speed [rpm]"] * 3, axis_label(result, "load")]
-    axes = [add_axes(figure, *each) for each in zip(boxes, below, names, strict=True)]
-    for each in axes[:3]:
-        speed_ticks(each, float(result.speed[-1] * RPM.factor))
+    x_labels = [*["speed [rpm]"] * 3, axis_label(result, "load")]
+    axes = [add_axes(figure, *panel) for panel in zip(boxes, x_labels, names, strict=True)]
+    for panel in axes[:3]:
+        speed_ticks(panel, float(result.speed[-1] * RPM.factor))
     return figure, axes
 
 
@@ -167,7 +165,7 @@ def _curves(
     dash: int = 0,
     label: bool = False,
 ) -> None:
-    """A curve per load over speed, or per speed over load; ``of_ball``: the most loaded one."""
+    """Draw curves over speed by load, or over load by speed; ``of_ball``: of the most loaded."""
     rpm = result.speed * RPM.factor
     ball = result.loaded_ball if of_ball else np.zeros_like(result.loaded_ball)
     if along_load(result):
@@ -176,7 +174,7 @@ def _curves(
             look = {**line_of(row, dash), **marked(row)}
             draw_runs(axes, result.load, values[row], ball[row], label=name, **look)
         return
-    for place in range(result.load.size):
-        name = mounted_under(result, place, " axial") if label else None
-        look = {**line_of(place, dash), **marked(place)}
-        draw_runs(axes, rpm, values[:, place], ball[:, place], label=name, **look)
+    for column in range(result.load.size):
+        name = mounted_under(result, column, " axial") if label else None
+        look = {**line_of(column, dash), **marked(column)}
+        draw_runs(axes, rpm, values[:, column], ball[:, column], label=name, **look)

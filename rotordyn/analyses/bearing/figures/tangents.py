@@ -1,4 +1,4 @@
-"""How far other tangents of a single bearing are from the complete one."""
+"""Errors of other tangents of a single bearing against the complete one."""
 
 from __future__ import annotations
 
@@ -40,30 +40,30 @@ COLOURS = "RdBu_r"
 
 
 def tangents_figure(result: BearingMapResult, references: Sequence[Reference] = ()) -> Figure:
-    """Relative difference of Kxx and Kyy over speed, a curve per load; maps where loads are many.
+    """Draw relative errors of Kxx and Kyy over speed, a curve per load; maps where loads are many.
 
     The first tangent besides the complete one is drawn in full, further ones by their largest
-    difference at each speed. ``references``: sizes of the frozen tangent's error of Kxx.
+    difference at each speed. ``references``: magnitudes of the frozen tangent's error of Kxx.
     """
     first, *further = [name for name in result.tangent if name != "complete"]
     mapped = result.load.size >= LEAST_LOADS and result.speed.size > 1
     figure = new_figure(168.0, 128.0 if mapped else 74.0)
     boxes = grid_boxes(figure, 1 + mapped, 2, margins=(15.0, 6.0, 12.0, 8.0), gaps=(18.0, 15.0))
-    for place, (dof, name) in enumerate(DOFS.items()):
-        axes = add_axes(figure, boxes[place], "speed [rpm]", f"{name}, {first}: error [%]")
+    for panel, (dof, name) in enumerate(DOFS.items()):
+        axes = add_axes(figure, boxes[panel], "speed [rpm]", f"{name}, {first}: error [%]")
         error = tangent_error(result, first, dof) * PERCENT
         _curves(axes, result, error)
-        if place == 0:
+        if panel == 0:
             top_legend(figure, axes)
             _unnamed(axes)
         for other in further:
             _largest(axes, result, other, dof)
         if first == "frozen" and dof == "x":
             _known(axes, references, error)
-        if place == 0:
+        if panel == 0:
             legend(axes, loc="lower left")
         if mapped:
-            left, low, wide, tall = boxes[2 + place]
+            left, low, wide, tall = boxes[2 + panel]
             box = (left, low, wide - BAR_ROOM, tall)
             chart = add_axes(figure, box, "speed [rpm]", axis_label(result, "load"))
             colours = _map(chart, result, error)
@@ -85,22 +85,22 @@ def _curves(axes: Axes, result: BearingMapResult, error: Array) -> None:
 
 
 def _unnamed(axes: Axes) -> None:
-    """The lines drawn so far stay out of further legends."""
+    """Exclude the lines drawn so far from further legends."""
     for line in axes.lines:
         line.set_label("_")
 
 
 def _largest(axes: Axes, result: BearingMapResult, tangent: str, dof: str) -> None:
-    """The largest difference of a tangent over all loads."""
+    """Draw the largest error of a tangent over all loads."""
     error = np.fmax.reduce(np.abs(tangent_error(result, tangent, dof)), axis=1) * PERCENT
     rpm = result.speed * RPM.factor
     axes.plot(rpm, error, color=GREY, lw=2.2, label=f"{tangent}: largest of all loads")
 
 
 def _known(axes: Axes, references: Sequence[Reference], error: Array) -> None:
-    """Sizes known from elsewhere, on the side of our own largest error."""
-    known = np.nan_to_num(error).ravel()
-    side = -1.0 if known[np.abs(known).argmax()] < 0.0 else 1.0
+    """Draw magnitudes of references, with the sign of the largest computed error."""
+    computed = np.nan_to_num(error).ravel()
+    side = -1.0 if computed[np.abs(computed).argmax()] < 0.0 else 1.0
     for reference in dict.fromkeys(references):
         if reference.quantity == "frozen_error":
             axes.plot(
@@ -116,7 +116,7 @@ def _known(axes: Axes, references: Sequence[Reference], error: Array) -> None:
 
 
 def _map(axes: Axes, result: BearingMapResult, error: Array) -> ContourSet | None:
-    """Labelled lines of equal error over speed and load, and where it is largest."""
+    """Draw labelled lines of equal error over speed and load, and mark the largest error."""
     size = float(np.nanmax(np.abs(error)))
     rpm = result.speed * RPM.factor
     axes.grid(visible=False)
@@ -126,11 +126,11 @@ def _map(axes: Axes, result: BearingMapResult, error: Array) -> ContourSet | Non
         axes.text(0.5, 0.5, "no difference", ha="center", transform=axes.transAxes)
         return None
     levels = [v for v in round_ticks(float(np.nanmin(error)), float(np.nanmax(error)), 9) if v]
-    shown = np.ma.masked_invalid(error.T)
+    masked = np.ma.masked_invalid(error.T)
     fills = np.linspace(float(np.nanmin(error)), float(np.nanmax(error)), 41)
-    filled = axes.contourf(rpm, result.load, shown, fills, cmap=COLOURS, vmin=-size, vmax=size)
+    filled = axes.contourf(rpm, result.load, masked, fills, cmap=COLOURS, vmin=-size, vmax=size)
     filled.set_edgecolor("face")
-    lines = axes.contour(rpm, result.load, shown, levels, colors=BLACK, linewidths=0.6)
+    lines = axes.contour(rpm, result.load, masked, levels, colors=BLACK, linewidths=0.6)
     axes.clabel(lines, fmt="%g", fontsize=FONT_SIZE - 1.5)
     row, column = np.unravel_index(np.nanargmax(np.abs(error)), error.shape)
     peak = f"× largest {error[row, column]:+.1f} % at {rpm[row]:.0f} rpm, "

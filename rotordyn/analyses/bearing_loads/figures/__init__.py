@@ -18,14 +18,14 @@ code = partial(Code, __name__)
 
 
 def figures(_: Described, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
-    """The figures of a result."""
+    """Yield the figures of a result."""
     yield "load_roses", partial(code("roses:rose_figure"), result)
     if np.nanmax(np.abs(result.inner_ring_deflection + result.outer_ring_deflection)) > 0.0:
         yield "ring_roses", partial(code("roses:ring_figure"), result)
 
 
 def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
-    """Largest ball load of every bearing over speed."""
+    """Yield the largest ball load of every bearing over speed."""
     result, rpm = variant.result, variant.result.speed * RPM.factor
     for k, name in enumerate(result.bearing):
         largest = np.nan_to_num(result.ball_inner_load[:, k]).max(axis=1)

@@ -1,4 +1,4 @@
-"""Roses around each bearing: the inner load of every ball, how far rings give under it."""
+"""Roses of each bearing: the inner load of every ball, and the deflection of raceways."""
 
 from __future__ import annotations
 
@@ -24,40 +24,40 @@ if TYPE_CHECKING:
 ACROSS = 3
 SIDE = 52.0  # mm
 CLEAR = 0.08  # of the radius, between a name and a curve
-MOST_NAMED = 4  # circles; of more, every other
+MOST_NAMED = 4  # circles; of more, every second one
 LEGEND = 4.0  # mm, above the line of words
 
 
 def rose_figure(result: BearingLoadsResult, speeds: int = 3) -> Figure:
-    """A rose per bearing, seen from +x with y to the right and z up: first, middle, last speed."""
+    """Draw a rose per bearing, seen from +x, y to the right and z up: first, middle, last speed."""
     loads = result.ball_inner_load
     return _roses(result, loads, "inner load of every ball [N]", speeds)
 
 
 def ring_figure(result: BearingLoadsResult, speeds: int = 3) -> Figure:
-    """The same of the raceways' deflection, inner and outer together, that brings rings closer."""
+    """Draw roses of the raceways' deflection, inner plus outer, which brings rings closer."""
     both = (result.inner_ring_deflection + result.outer_ring_deflection) * 1e6
     return _roses(result, both, "deflection of both raceways at every ball [µm]", speeds)
 
 
 def _roses(result: BearingLoadsResult, values: Array, what: str, speeds: int) -> Figure:
-    good = np.flatnonzero(~np.isnan(result.axial_load).any(axis=1))
-    picked = good[evenly(good.size, speeds)]
+    solved = np.flatnonzero(~np.isnan(result.axial_load).any(axis=1))
+    picked = solved[evenly(solved.size, speeds)]
     across = min(ACROSS, len(result.bearing))
-    down = -(-len(result.bearing) // across)
-    height = SIDE * down + 18.0
+    rows = -(-len(result.bearing) // across)
+    height = SIDE * rows + 18.0
     figure = new_figure(SIDE * across + 10.0, height)
-    boxes = grid_boxes(figure, down, across, margins=(9.0, 9.0, 18.0, 10.0), gaps=(14.0, 17.0))
+    boxes = grid_boxes(figure, rows, across, margins=(9.0, 9.0, 18.0, 10.0), gaps=(14.0, 17.0))
     for k, (name, box) in enumerate(zip(result.bearing, boxes, strict=False)):
         axes: Any = add_axes(figure, box, projection="polar")
-        for place, index in enumerate(picked):
-            _rose(axes, result, values[index, k], (index, k), place)
+        for style, index in enumerate(picked):
+            _rose(axes, result, values[index, k], (index, k), style)
         axes.set_title(f"bearing {name}", fontsize=FONT_SIZE, pad=6.0)
         axes.tick_params(labelsize=FONT_SIZE - 1.5, pad=1.0)
         axes.set_ylim(bottom=min(0.0, np.nanmin(values[picked, k], initial=0.0)))
         _name_circles(axes, result.ball_azimuth[k], values[picked, k])
-    words = f"{what}; y at 0°, z at 90°, seen from +x"
-    figure.text(0.02, 0.015, words, fontsize=FONT_SIZE)
+    caption = f"{what}; y at 0°, z at 90°, seen from +x"
+    figure.text(0.02, 0.015, caption, fontsize=FONT_SIZE)
     lines, labels = axes.get_legend_handles_labels()
     figure.legend(
         lines,
@@ -72,25 +72,25 @@ def _roses(result: BearingLoadsResult, values: Array, what: str, speeds: int) ->
 
 
 def _name_circles(axes: Any, azimuth: Array, values: Array) -> None:
-    """Values of circles beside the curves, along the ray between two angles that these reach
-    least; of circles that are all near one, the farthest."""
+    """Label circles along the ray that curves reach least, where no curve is near; where all are
+    near one, label the circle farthest from them."""
     rays = np.radians(np.arange(22.5, 360.0, 45.0))
-    near = np.cos(azimuth[:, None] - rays) > np.cos(np.radians(25.0))  # (balls, rays)
+    adjacent = np.cos(azimuth[:, None] - rays) > np.cos(np.radians(25.0))  # (balls, rays)
     size = np.nan_to_num(values).max(axis=0)
-    ray = rays[np.argmin([size[each].max(initial=0.0) for each in near.T])]
+    ray = rays[np.argmin([size[mask].max(initial=0.0) for mask in adjacent.T])]
     low, high = axes.get_ylim()
-    circles = [float(each) for each in axes.get_yticks() if low < each <= high and each != 0.0]
+    circles = [float(r) for r in axes.get_yticks() if low < r <= high and r != 0.0]
     axes.set_yticks(circles, labels=[""] * len(circles))
     paper: Any = {"boxstyle": "square,pad=0.1", "fc": "white", "ec": "none", "alpha": 0.75}
     look: dict[str, Any] = {"ha": "center", "va": "center", "fontsize": FONT_SIZE - 2.0}
-    known = np.isfinite(azimuth)
-    rows = np.nan_to_num(values)[:, known]
-    turns = [np.interp(ray, azimuth[known], row, period=2.0 * np.pi) for row in rows]
-    room = {each: min((abs(each - at) for at in turns), default=high) for each in circles}
-    few = circles if len(circles) <= MOST_NAMED else circles[1::2]
-    free = [each for each in few if room[each] > CLEAR * (high - low)]
-    for each in free or sorted(circles, key=room.__getitem__)[-1:]:
-        axes.text(ray, each, f"{each:g}", zorder=5, bbox=paper, **look)
+    finite = np.isfinite(azimuth)
+    rows = np.nan_to_num(values)[:, finite]
+    crossings = [np.interp(ray, azimuth[finite], row, period=2.0 * np.pi) for row in rows]
+    gap = {r: min((abs(r - at) for at in crossings), default=high) for r in circles}
+    candidates = circles if len(circles) <= MOST_NAMED else circles[1::2]
+    clear = [r for r in candidates if gap[r] > CLEAR * (high - low)]
+    for r in clear or sorted(circles, key=gap.__getitem__)[-1:]:
+        axes.text(ray, r, f"{r:g}", zorder=5, bbox=paper, **look)
 
 
 def _rose(
@@ -98,8 +98,8 @@ def _rose(
 ) -> None:
     index, k = at
     azimuth = result.ball_azimuth[k]
-    known = np.flatnonzero(np.isfinite(load))
-    order = known[np.argsort(azimuth[known])]
+    finite = np.flatnonzero(np.isfinite(load))
+    order = finite[np.argsort(azimuth[finite])]
     closed = np.append(order, order[:1])
     axes.plot(
         azimuth[closed],

@@ -21,7 +21,7 @@ code = partial(Code, __name__)
 
 
 def figures(case: Described, result: Any, _: Mapping[str, Any]) -> Iterator[Job]:
-    """The figures of a result."""
+    """Yield the figures of a result."""
     spec = case.analyses.get("campbell")
     teeth, highest = getattr(spec, "teeth", ()), getattr(spec, "max_frequency", 0.0)
     known = case.known
@@ -33,24 +33,24 @@ def figures(case: Described, result: Any, _: Mapping[str, Any]) -> Iterator[Job]
 
 
 def panels(spec: Any, variants: Sequence[Shown]) -> Iterator[Panel]:
-    """The diagram of every variant, and its damping where modes of some grow by themselves."""
+    """Yield the diagram of every variant, and its damping where some have unstable modes."""
     draw = partial(code("diagram:draw_variant"), getattr(spec, "teeth", ()))
     top = partial(code("diagram:highest_of"), getattr(spec, "max_frequency", 0.0))
-    named: dict[str, Any] = {"margins": (15.0, 22.0, 12.0, 8.0), "gaps": (38.0, 13.0)}
-    yield Panel("campbell", draw, top, **named)
-    growing = any(variant.result.unstable.any() for variant in variants)
-    if growing and variants[0].result.speed.size > 1:
+    layout: dict[str, Any] = {"margins": (15.0, 22.0, 12.0, 8.0), "gaps": (38.0, 13.0)}
+    yield Panel("campbell", draw, top, **layout)
+    unstable = any(variant.result.unstable.any() for variant in variants)
+    if unstable and variants[0].result.speed.size > 1:
         limits = code("damping:limits_of")
         yield Panel("damping", code("damping:draw_variant"), limits, tall=52.0)
 
 
 def headline_curves(spec: Any, variant: Shown) -> Iterator[Curve]:
-    """Every mode, dashes by whirl, and the lines of excitation."""
+    """Yield every mode, dashes by whirl, and the lines of excitation."""
     result: Any = variant.result
     top = getattr(spec, "max_frequency", 0.0) or highest_of(0.0, [variant])
-    how: dict[str, Any] = {"figure": "campbell_overlay", "limits": (0.0, top)}
+    options: dict[str, Any] = {"figure": "campbell_overlay", "limits": (0.0, top)}
     breaks = jumps(result)
-    modes = [*curves_of(result, "frequency", series="mode", **how)]
+    modes = [*curves_of(result, "frequency", series="mode", **options)]
     looks = [look_of(*each) for each in zip(result.kind, result.whirl[-1], strict=True)]
     for k in sorted(
         np.flatnonzero(~result.mostly_overdamped), key=lambda k: [*LOOKS].index(looks[k])

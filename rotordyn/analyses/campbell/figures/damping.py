@@ -1,4 +1,4 @@
-"""Damping ratio of the modes over speed, where some of them grow by themselves."""
+"""Damping ratio of the modes over speed, where some of them are unstable."""
 
 from __future__ import annotations
 
@@ -31,12 +31,12 @@ if TYPE_CHECKING:
 
 LABEL = "damping ratio [%]"
 BACKWARD = (0, (5, 2))
-JUMP = 10.0  # times the change over the steps beside it
-ROOM = 1.3  # times the largest damping of modes that grow somewhere: more is not drawn
+JUMP = 10.0  # times the change over the adjacent steps
+ROOM = 1.3  # times the largest damping of unstable modes: more is not drawn
 
 
 def damping_figure(result: CampbellResult) -> Figure:
-    """A line per mode, dashed for backward whirl, and the speed from which one grows."""
+    """Draw a line per mode, dashed for backward whirl, and the stability threshold."""
     figure = new_figure(168.0, 90.0)
     axes = add_axes(figure, (15.0, 11.0, 147.0, 66.0))
     _draw(axes, result, limits([result]), 8)
@@ -45,12 +45,12 @@ def damping_figure(result: CampbellResult) -> Figure:
 
 
 def draw_variant(axes: Axes, variant: Shown, between: tuple[float, float]) -> None:
-    """The curves of a variant within limits [%] onto axes."""
+    """Draw the curves of a variant within limits [%]."""
     _draw(axes, variant.result, between, 4)
 
 
 def limits_of(variants: Sequence[Shown]) -> tuple[float, float]:
-    """Limits for all variants [%]."""
+    """Return the limits for all variants [%]."""
     return limits([variant.result for variant in variants])
 
 
@@ -66,8 +66,8 @@ def _draw(axes: Axes, result: CampbellResult, between: tuple[float, float], most
         if not np.any(ratio * 100.0 < axes.get_ylim()[1]):
             continue
         family = name.removesuffix(" forward").removesuffix(" backward")
-        place = families.setdefault(family, len(families))
-        look: dict[str, Any] = {"color": CYCLE[place % len(CYCLE)], "lw": 1.2, **marked(place)}
+        style = families.setdefault(family, len(families))
+        look: dict[str, Any] = {"color": CYCLE[style % len(CYCLE)], "lw": 1.2, **marked(style)}
         back = np.nanmean(whirl) < 0.0
         x, curve = _at_jumps(rpm, ratio * 100.0, np.ptp(axes.get_ylim()))
         if name == result.first_to_grow:
@@ -89,30 +89,30 @@ def _draw(axes: Axes, result: CampbellResult, between: tuple[float, float], most
 
 
 def _through_zero(rpm: Array, ratio: Array, threshold: float) -> tuple[Array, Array]:
-    """The curve of the mode that grows first with the point at which it begins to; where it jumps
-    there it is as it is."""
-    at = int(np.searchsorted(rpm, threshold))
-    beside = ratio[max(at - 1, 0) : at + 1]
-    if threshold in rpm or not np.isfinite(beside).all():
+    """Insert the zero of the first unstable mode at the threshold into its curve, unless it jumps
+    there."""
+    row = int(np.searchsorted(rpm, threshold))
+    adjacent = ratio[max(row - 1, 0) : row + 1]
+    if threshold in rpm or not np.isfinite(adjacent).all():
         return rpm, ratio
-    return np.insert(rpm, at, threshold), np.insert(ratio, at, 0.0)
+    return np.insert(rpm, row, threshold), np.insert(ratio, row, 0.0)
 
 
 def _at_jumps(rpm: Array, ratio: Array, range_: float) -> tuple[Array, Array]:
-    """The curve without the step over which it jumps, as hysteresis does where it turns about: much
-    more than over the steps beside it."""
+    """Break the curve at a jump, as where hysteretic damping changes sign: a step much larger than
+    the adjacent ones."""
     step = np.abs(np.diff(ratio))
     if step.size < 3:
         return rpm, ratio
-    beside = np.maximum(np.append(0.0, step[:-1]), np.append(step[1:], 0.0))
-    return broken(rpm, ratio, (step > JUMP * beside) & (step > 0.05 * range_))
+    adjacent = np.maximum(np.append(0.0, step[:-1]), np.append(step[1:], 0.0))
+    return broken(rpm, ratio, (step > JUMP * adjacent) & (step > 0.05 * range_))
 
 
 def limits(results: Sequence[CampbellResult]) -> tuple[float, float]:
-    """Of the damping ratio [%], for modes that grow somewhere."""
-    growing = {name for r in results for name in np.array(r.mode)[r.unstable.any(axis=0)]}
+    """Return limits of the damping ratio [%], for modes that are unstable somewhere."""
+    unstable = {name for r in results for name in np.array(r.mode)[r.unstable.any(axis=0)]}
     drawn = [
-        r.damping_ratio[:, [name in growing for name in r.mode]].ravel() * 100.0 for r in results
+        r.damping_ratio[:, [name in unstable for name in r.mode]].ravel() * 100.0 for r in results
     ]
     values = np.concatenate(drawn)
     high = ROOM * max(float(np.nanmax(values)), 0.0)

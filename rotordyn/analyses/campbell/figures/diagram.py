@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 PALE = "#F6D78A"  # behind the lines
-LETTER = 0.6  # mean width over the size of the font
+LETTER = 0.6  # mean width of a letter over the font size
 RING = 8.0  # [pt] across a critical speed's mark
 LIST_LINE = 3.3  # [mm]
 _LIST_COLUMNS, _SHORT, MOST_LISTED = 3, 40, 24
@@ -46,7 +46,7 @@ def campbell_figure(
     references: Sequence[Reference] = (),
     max_frequency: float = 0.0,
 ) -> Figure:
-    """Modes with their whirl, 1× and tooth-passing lines, critical speeds, known frequencies.
+    """Draw modes with whirl, 1× and tooth-passing lines, critical speeds, known frequencies.
 
     Critical speeds are numbered in the diagram and listed below it.
     """
@@ -54,10 +54,10 @@ def campbell_figure(
     listed = _listed(result, criticals)
     columns = _LIST_COLUMNS if max(map(len, listed), default=0) <= _SHORT else _LIST_COLUMNS - 1
     rows = math.ceil(len(listed) / columns)
-    below = LIST_LINE * (rows + 1) + 1.0 if rows else 0.0
-    figure = new_figure(168.0, 105.0 + below)
-    whose = "speed of the spindle [rpm]" if len(result.rotor) > 1 else "speed [rpm]"
-    axes = add_axes(figure, (15.0, 11.0 + below, 109.0, 92.0), whose)
+    foot = LIST_LINE * (rows + 1) + 1.0 if rows else 0.0
+    figure = new_figure(168.0, 105.0 + foot)
+    x_label = "speed of the spindle [rpm]" if len(result.rotor) > 1 else "speed [rpm]"
+    axes = add_axes(figure, (15.0, 11.0 + foot, 109.0, 92.0), x_label)
     top = max_frequency or highest([result])
     _diagram(axes, result, teeth, references, top, 6)
     _criticals(axes, result, criticals)
@@ -68,20 +68,20 @@ def campbell_figure(
 
 
 def draw_variant(teeth: Sequence[int], axes: Axes, variant: Shown, top: float) -> None:
-    """The diagram of a variant up to ``top`` [Hz] onto axes, modes with short names."""
+    """Draw the diagram of a variant up to ``top`` [Hz], modes with short names."""
     axes.set_xlabel("speed [rpm]", fontsize=FONT_SIZE)
     _diagram(axes, variant.result, teeth, variant.known, top, 3, brief=True)
 
 
 def highest_of(max_frequency: float, variants: Sequence[Shown]) -> float:
-    """Up to where all variants are drawn [Hz]."""
+    """Return the top of the axis for all variants [Hz]."""
     return max_frequency or highest([variant.result for variant in variants])
 
 
 def highest(results: Sequence[CampbellResult]) -> float:
-    """A little above the highest frequency of all [Hz]."""
-    known = [float(np.nanmax(r.frequency)) for r in results if r.frequency.size]
-    return 1.04 * max(known, default=1.0)
+    """Return a limit slightly above the highest frequency of all results [Hz]."""
+    maxima = [float(np.nanmax(r.frequency)) for r in results if r.frequency.size]
+    return 1.04 * max(maxima, default=1.0)
 
 
 def _diagram(
@@ -94,7 +94,7 @@ def _diagram(
     *,
     brief: bool = False,
 ) -> None:
-    """Lines, their names, and what is known; ``most`` ticks of speed."""
+    """Draw lines, their names, and references; ``most`` ticks of speed."""
     rpm = float(result.speed[-1] * RPM.factor)
     axes.set_ylabel(axis_label(result, "frequency"), fontsize=FONT_SIZE)
     if not result.mode:
@@ -111,35 +111,35 @@ def _diagram(
 
 
 def draw_unstable(axes: Axes, result: CampbellResult) -> None:
-    """A broad band behind every mode where it grows by itself, from the threshold on."""
+    """Draw a broad band behind every mode where it is unstable, from the threshold on."""
     look: dict[str, Any] = dict(color=PALE, lw=6.0, solid_capstyle="round", zorder=3)
     label = "unstable"
     for k, name in enumerate(result.mode):
         growing = np.where(result.unstable[:, k], result.frequency[:, k], np.nan)
-        at, curve = result.speed, growing
+        x, curve = result.speed, growing
         if name == result.first_to_grow:
-            at, curve = _with_threshold(result, growing, result.frequency[:, k])
+            x, curve = _with_threshold(result, growing, result.frequency[:, k])
         if np.isfinite(curve).any():
-            axes.plot(at * RPM.factor, curve, marker="o", ms=6.0, mec="none", label=label, **look)
+            axes.plot(x * RPM.factor, curve, marker="o", ms=6.0, mec="none", label=label, **look)
             label = "_"
 
 
 def _with_threshold(result: CampbellResult, curve: Array, known: Array) -> tuple[Array, Array]:
-    """Speeds and the ``curve`` over them of the mode that grows first, with the threshold among
-    them: there it is what ``known`` is, straight between the speeds beside."""
-    start, there = result.stability_threshold, np.isfinite(known)
-    if start in result.speed or not there.any():
+    """Insert the stability threshold into the speeds and the ``curve`` of the first unstable mode,
+    with the value of ``known`` interpolated linearly."""
+    start, finite = result.stability_threshold, np.isfinite(known)
+    if start in result.speed or not finite.any():
         return result.speed, curve
-    at = int(np.searchsorted(result.speed, start))
-    value = np.interp(start, result.speed[there], known[there])
-    return np.insert(result.speed, at, start), np.insert(curve, at, value)
+    row = int(np.searchsorted(result.speed, start))
+    value = np.interp(start, result.speed[finite], known[finite])
+    return np.insert(result.speed, row, start), np.insert(curve, row, value)
 
 
 def orders(result: CampbellResult, teeth: Sequence[int]) -> dict[float, str]:
-    """Multiples of the speed at which something excites, with their names; those of further rotors
-    bear these.
+    """Return the orders of excitation, multiples of the speed, with their names, those of further
+    rotors included.
 
-    In the turning frame unbalance stands still, and a force of k teeth, fixed in space, comes as
+    In the rotating frame unbalance stands still, and a force of k teeth, fixed in space, appears as
     (k − 1)× for forward and (k + 1)× for backward whirl.
     """
     if not turning(result):
@@ -169,7 +169,7 @@ def _ratios(result: CampbellResult) -> dict[str, float]:
 def draw_orders(
     axes: Axes, orders: Mapping[float, str], rpm: float, top: float
 ) -> list[tuple[float, str]]:
-    """Lines f = k n; returns height [Hz] and name of those that leave on the right."""
+    """Draw lines f = k n; return height [Hz] and name of those that end on the right."""
     from matplotlib.collections import LineCollection
 
     lines = [[(0.0, 0.0), (rpm, order * rpm / 60.0)] for order in orders]
@@ -180,15 +180,15 @@ def draw_orders(
 
 
 def _name_at_the_top(axes: Axes, orders: Mapping[float, str], rpm: float, top: float) -> None:
-    """Names beside their lines, each in the highest row in which it has room."""
+    """Write names beside their lines, each in the highest row that has room."""
     letter = LETTER * (FONT_SIZE - 1.0) / 72.0 * axes.figure.dpi * rpm / axes.bbox.width
-    taken: list[float] = []
+    occupied: list[float] = []
     for order in sorted(orders, reverse=True):
         row, start = 0, top * 60.0 / order
-        while row < len(taken) and start < taken[row]:
+        while row < len(occupied) and start < occupied[row]:
             row += 1
             start = _row(row) * top * 60.0 / order
-        taken[row : row + 1] = [start + letter * (len(orders[order]) + 2)]
+        occupied[row : row + 1] = [start + letter * (len(orders[order]) + 2)]
         axes.text(
             start,
             top * (_row(row) - 0.015),
@@ -201,39 +201,39 @@ def _name_at_the_top(axes: Axes, orders: Mapping[float, str], rpm: float, top: f
 
 
 def _row(number: int) -> float:
-    """Upper edge of a row of names, over the height of the axes."""
+    """Return the upper edge of a row of names, over the height of the axes."""
     return 1.0 - 0.037 * number
 
 
 def shown_criticals(result: CampbellResult) -> list[int]:
-    """Critical speeds that are marked, the slowest first."""
+    """Return the critical speeds that are marked, the slowest first."""
     shown = result.critical_excited & (result.critical_speed <= result.speed[-1])
     if turning(result):
-        shown &= result.critical_order == 1  # others meet no line there: see ``orders``
+        shown &= result.critical_order == 1  # other orders have no line there: see ``orders``
     return sorted(np.flatnonzero(shown).tolist(), key=lambda k: float(result.critical_speed[k]))
 
 
 def critical_hertz(result: CampbellResult, place: int) -> float:
-    """Frequency [Hz] in the fixed frame at which what turns excites there."""
-    turned = abs(_ratios(result)[result.critical_rotor[place]])
+    """Return the frequency [Hz] of the excitation at a critical speed, in the fixed frame."""
+    ratio = abs(_ratios(result)[result.critical_rotor[place]])
     rpm = float(result.critical_speed[place] * RPM.factor)
-    return float(result.critical_order[place] * turned * rpm / 60.0)
+    return float(result.critical_order[place] * ratio * rpm / 60.0)
 
 
 def _criticals(axes: Axes, result: CampbellResult, shown: Sequence[int]) -> None:
-    """A ring at each, its number beside it; rings that touch share a label."""
+    """Draw a ring at each critical speed, numbered; rings that touch share a label."""
     if not shown:
         return
     rpm = np.array([result.critical_speed[k] * RPM.factor for k in shown])
     hertz = np.array([critical_hertz(result, k) for k in shown]) * (not turning(result))
     look: dict[str, Any] = dict(mfc="white", mec=RED, mew=1.2, ls="none", zorder=7, clip_on=False)
     axes.plot(rpm, hertz, "o", label="critical speed", **look)
-    places = axes.transData.transform(np.column_stack([rpm, hertz])) * 72.0 / axes.figure.dpi
+    pixels = axes.transData.transform(np.column_stack([rpm, hertz])) * 72.0 / axes.figure.dpi
     groups: list[list[int]] = []
-    for k, place in enumerate(places):
-        near = [g for g in groups if np.abs(places[g[-1]] - place).max() < RING]
-        if near:
-            near[0].append(k)
+    for k, pixel in enumerate(pixels):
+        touching = [g for g in groups if np.abs(pixels[g[-1]] - pixel).max() < RING]
+        if touching:
+            touching[0].append(k)
         else:
             groups.append([k])
     for group in groups:
@@ -251,7 +251,7 @@ def _criticals(axes: Axes, result: CampbellResult, shown: Sequence[int]) -> None
 
 
 def _listed(result: CampbellResult, shown: Sequence[int]) -> list[str]:
-    """A line for each critical speed: its number, rpm, Hz and mode; of many only the first."""
+    """Return a line for each critical speed: number, rpm, Hz and mode; of many only the first."""
     several = len(result.rotor) > 1 or len(set(result.critical_order[list(shown)].tolist())) > 1
     lines = []
     for number_of, k in enumerate(shown[:MOST_LISTED], start=1):
@@ -265,14 +265,14 @@ def _listed(result: CampbellResult, shown: Sequence[int]) -> list[str]:
 
 
 def _list(figure: Figure, lines: Sequence[str], rows: int, columns: int) -> None:
-    """``lines`` in columns at the foot of the figure."""
+    """Write ``lines`` in columns at the foot of the figure."""
     if not lines:
         return
     width, height = figure.get_size_inches() * 25.4
     look: dict[str, Any] = dict(ha="left", va="bottom", fontsize=FONT_SIZE - 1.0)
     figure.text(4.0 / width, (1.0 + LIST_LINE * rows) / height, "critical speeds", **look)
-    for place, line in enumerate(lines):
-        column, row = divmod(place, rows)
+    for k, line in enumerate(lines):
+        column, row = divmod(k, rows)
         x = 4.0 + column * (width - 8.0) / columns
         figure.text(x / width, (1.0 + LIST_LINE * (rows - 1 - row)) / height, line, **look)
 
@@ -285,14 +285,14 @@ def _name_modes(
     *,
     brief: bool,
 ) -> None:
-    """Names at the right edge, moved apart where modes are close, joined to their curves; ``brief``
-    without their frequencies."""
+    """Write names at the right edge, spread where modes are close, joined to their curves;
+    ``brief``: without their frequencies."""
     from matplotlib.collections import LineCollection
 
     last = result.frequency[-1]
     drawn = np.isfinite(last) & (last <= top) & ~result.mostly_overdamped
     shown = np.flatnonzero(drawn).tolist()
-    labels = [(float(last[k]), _called(result.mode[k], float(last[k]), brief)) for k in shown]
+    labels = [(float(last[k]), _label(result.mode[k], float(last[k]), brief)) for k in shown]
     looks = [LOOKS[look_of(result.kind[k], result.whirl[-1, k])][0] for k in shown]
     labels += list(excitation)
     looks += [GREY] * len(excitation)
@@ -312,10 +312,10 @@ def _name_modes(
         axes.text(edge + 0.046 * frame, at, name, va="center", color=colour, fontsize=size)
 
 
-def _called(mode: str, hertz: float, brief: bool) -> str:
+def _label(mode: str, hertz: float, brief: bool) -> str:
     return short(mode) if brief else f"{mode}  {number(hertz, 0)} Hz"
 
 
 def short(mode: str) -> str:
-    """The name of a mode with its whirl in two letters."""
+    """Return the name of a mode with its whirl in two letters."""
     return mode.replace("backward", "bw").replace("forward", "fw")

@@ -48,7 +48,7 @@ _MOTION = {"bending": ("y", "z"), "axial": ("x",), "torsion": ("thx",)}
 
 
 def shapes_figure(result: CampbellResult, spindle: Spindle | None = None) -> Figure:
-    """A panel per mode: the shape at the first and the last speed over the rotor's outline.
+    """Draw a panel per mode: the shape at the first and the last speed over the rotor's outline.
 
     Between its nodes the shaft is drawn as its elements bend: see ``section_motion``.
     """
@@ -64,12 +64,12 @@ def shapes_figure(result: CampbellResult, spindle: Spindle | None = None) -> Fig
     figure = new_figure(168.0, 26.0 + 30.0 * rows)
     margins = (14.0, 4.0, 12.0, 13.0)
     boxes = grid_boxes(figure, rows, _COLUMNS, margins=margins, gaps=(6.0, 7.0))
-    for place, (mode, box) in enumerate(zip(modes, boxes, strict=False)):
-        last_row = place + _COLUMNS >= len(modes)
-        left = "relative motion [-]" if place % _COLUMNS == 0 else ""
-        axes = add_axes(figure, box, "x [mm]" if last_row else "", left)
+    for panel, (mode, box) in enumerate(zip(modes, boxes, strict=False)):
+        last_row = panel + _COLUMNS >= len(modes)
+        y_label = "relative motion [-]" if panel % _COLUMNS == 0 else ""
+        axes = add_axes(figure, box, "x [mm]" if last_row else "", y_label)
         _panel(axes, result, mode, spindle)
-        axes.tick_params(labelbottom=last_row, labelleft=place % _COLUMNS == 0)
+        axes.tick_params(labelbottom=last_row, labelleft=panel % _COLUMNS == 0)
     if modes:
         axes = figure.axes[0]
         if spindle is not None and (spindle.seats or spindle.supports):
@@ -83,10 +83,10 @@ def shapes_figure(result: CampbellResult, spindle: Spindle | None = None) -> Fig
 
 
 def plane_curve(shape: NDArray[np.complex128]) -> NDArray[np.float64]:
-    """The deflected line at the instant of largest motion, shape (node,), for (node, DOF).
+    """Return the deflected line at the instant of largest motion, shape (node,), for (node, DOF).
 
-    The DOF that moves most is shown; its sign is that of the largest displacement: positive. NaN
-    of a mode that is not there.
+    The DOF that moves most is shown; its largest displacement is positive. NaN where
+    the mode is missing.
     """
     node, dof = np.unravel_index(int(np.argmax(np.abs(shape))), shape.shape)
     peak = shape[node, dof]
@@ -98,15 +98,15 @@ def plane_curve(shape: NDArray[np.complex128]) -> NDArray[np.float64]:
 
 
 def _chosen(result: CampbellResult) -> list[int]:
-    """The modes shown: those with a shape, lowest first; of a whirling pair both when they fit."""
+    """Return the modes shown: those with a shape, lowest first; of a pair both if they fit."""
     has_shape = np.asarray(np.isfinite(result.shape).any(axis=(0, 2, 3)))
-    known = [k for k in range(len(result.mode)) if has_shape[k] and not result.mostly_overdamped[k]]
-    known.sort(key=lambda k: float(np.nan_to_num(result.frequency[0, k], nan=np.inf)))
-    if len(known) > MOST:
-        names = {result.mode[k] for k in known}
-        twin = [name.replace(" backward", " forward") for name in result.mode]
-        known = [k for k in known if twin[k] == result.mode[k] or twin[k] not in names]
-    return known[:MOST]
+    shown = [k for k in range(len(result.mode)) if has_shape[k] and not result.mostly_overdamped[k]]
+    shown.sort(key=lambda k: float(np.nan_to_num(result.frequency[0, k], nan=np.inf)))
+    if len(shown) > MOST:
+        names = {result.mode[k] for k in shown}
+        forward = [name.replace(" backward", " forward") for name in result.mode]
+        shown = [k for k in shown if forward[k] == result.mode[k] or forward[k] not in names]
+    return shown[:MOST]
 
 
 def _panel(axes: Axes, result: CampbellResult, mode: int, spindle: Spindle | None) -> None:
@@ -125,14 +125,14 @@ def _panel(axes: Axes, result: CampbellResult, mode: int, spindle: Spindle | Non
     side = float(np.nan_to_num(np.sign(first @ last))) or 1.0
     several = len(result.rotor) > 1
     rpm = [f"{speed * RPM.factor:.0f} rpm" for speed in result.shape_speed[[0, -1]]]
-    for place, rotor in enumerate(result.rotor):
-        whose = f"{rotor}, " if several else ""
+    for style, rotor in enumerate(result.rotor):
+        owner = f"{rotor}, " if several else ""
         if result.shape_speed.size > 1:
-            x, curve = lines[0][place]
-            axes.plot(x, curve, color=BLACK, lw=0.8, ls=_DASHES[place % 2][0], label=whose + rpm[0])
-        x, curve = lines[1][place]
-        look: dict[str, Any] = dict(color=_COLOURS[place % len(_COLOURS)], ls=_DASHES[place % 2][1])
-        axes.plot(x, side * curve, lw=1.6, label=whose + rpm[1], **look)
+            x, curve = lines[0][style]
+            axes.plot(x, curve, color=BLACK, lw=0.8, ls=_DASHES[style % 2][0], label=owner + rpm[0])
+        x, curve = lines[1][style]
+        look: dict[str, Any] = dict(color=_COLOURS[style % len(_COLOURS)], ls=_DASHES[style % 2][1])
+        axes.plot(x, side * curve, lw=1.6, label=owner + rpm[1], **look)
     ends = (0, -1) if result.shape_speed.size > 1 else (-1,)
     hertz = " → ".join(number(float(result.frequency[end, mode]), 0) for end in ends)
     axes.set_title(f"{result.mode[mode]}: {hertz} Hz", fontsize=FONT_SIZE - 0.5, pad=3.0)
@@ -141,7 +141,7 @@ def _panel(axes: Axes, result: CampbellResult, mode: int, spindle: Spindle | Non
 def _lines(
     result: CampbellResult, mode: int, speed: int, columns: list[int], spindle: Spindle | None
 ) -> list[tuple[NDArray[np.float64], NDArray[np.float64]]]:
-    """Stations [mm] and deflected line of every rotor, all by one instant and scale."""
+    """Return stations [mm] and deflected line of every rotor, all at one instant and scale."""
     motions = [_motion(result, mode, speed, rotor, spindle) for rotor in result.rotor]
     curve = plane_curve(np.concatenate([motion for _, motion in motions])[:, columns])
     ends = np.cumsum([len(x) for x, _ in motions])[:-1]
@@ -151,7 +151,7 @@ def _lines(
 def _motion(
     result: CampbellResult, mode: int, speed: int, rotor: str, spindle: Spindle | None
 ) -> tuple[NDArray[np.float64], NDArray[np.complex128]]:
-    """Stations [m] of a rotor and how it moves there (stations, 6): its nodes, and some between."""
+    """Return stations [m] of a rotor, nodes and some between, and displacements (stations, 6)."""
     on_rotor = np.array([name == rotor for name in result.node_rotor])
     node, shape = result.node[on_rotor], result.shape[speed, mode][on_rotor]
     if spindle is None or node.size < 2:
@@ -162,7 +162,7 @@ def _motion(
 
 
 def _outline(axes: Axes, spindle: Spindle) -> None:
-    """Shafts and discs to their own scale along x and a common one across; bearings as marks."""
+    """Draw shafts and discs, to scale along x, to a common scale across; bearings as marks."""
     sketch = Sketch()
     parts = spindle.parts.values()
     shafts = [part.shaft for part in parts]
@@ -179,7 +179,7 @@ def _outline(axes: Axes, spindle: Spindle) -> None:
         for section, ends in _pieces(shaft):
             a, b = (x * 1e3 for x in ends)
             half, hollow = (
-                [0.55 * d / widest for d in each] for each in (section.outer, section.inner)
+                [0.55 * d / widest for d in pair] for pair in (section.outer, section.inner)
             )
             inside = [-d for d in half] if shaft is shafts[0] else hollow
             for side in (1.0,) if shaft is shafts[0] else (1.0, -1.0):
@@ -193,12 +193,12 @@ def _outline(axes: Axes, spindle: Spindle) -> None:
             size = 0.011 * (edges[-1] - edges[0]) * 1e3
             sketch.polygon([(x, tip), (x - size, foot), (x + size, foot)], RED, edge=RED, z=2)
     sketch.draw(axes)
-    places = [mass.x * 1e3 for part in parts for mass in part.masses]
-    axes.plot(places, [0.0] * len(places), **MASS)
+    stations = [mass.x * 1e3 for part in parts for mass in part.masses]
+    axes.plot(stations, [0.0] * len(stations), **MASS)
 
 
 def _pieces(shaft: Shaft) -> list[tuple[Section, tuple[float, float]]]:
-    """Sections and their ends [m]; of many as many as can be told apart, the middle ones."""
+    """Return sections and their ends [m]; of very many, those at evenly spaced stations."""
     if len(shaft.sections) <= MOST_PIECES:
         return list(zip(shaft.sections, pairwise(shaft.boundaries), strict=True))
     edges = np.linspace(shaft.start, shaft.end, MOST_PIECES + 1)

@@ -1,4 +1,4 @@
-"""Mode shapes in space: sheets and animations around pictures that another room has rendered."""
+"""Mode shapes in space: sheets and animations around rendered pictures."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ _TURNS = ((BLUE, "forward whirl"), (RED, "backward whirl"), (BLACK, "along a lin
 
 
 class Look(Protocol):
-    """What a reader must know of the pictures: their colour map, the largest displacement drawn."""
+    """Properties of the pictures that legends name: colour map, largest displacement drawn."""
 
     @property
     def colours(self) -> str: ...
@@ -48,20 +48,20 @@ class Look(Protocol):
 
 
 def sheets(result: CampbellResult) -> Iterator[tuple[str, int, list[int]]]:
-    """Name, speed and modes of every sheet: those that have a shape, the lowest first."""
+    """Yield name, speed and modes of every sheet: modes that have a shape, the lowest first."""
     for speed, rpm in enumerate(result.shape_speed * RPM.factor):
-        known = np.isfinite(result.shape[speed]).all(axis=(1, 2)) & ~result.mostly_overdamped
-        modes = sorted(np.flatnonzero(known).tolist(), key=lambda k: _hertz(result, speed, k))
+        drawable = np.isfinite(result.shape[speed]).all(axis=(1, 2)) & ~result.mostly_overdamped
+        modes = sorted(np.flatnonzero(drawable).tolist(), key=lambda k: _hertz(result, speed, k))
         pages = [modes[k : k + PANELS] for k in range(0, len(modes), PANELS)]
-        for place, page in enumerate(pages, start=1):
-            part = f"_{place}" if len(pages) > 1 else ""
+        for sheet, page in enumerate(pages, start=1):
+            part = f"_{sheet}" if len(pages) > 1 else ""
             yield f"shapes_3d_{rpm:.6g}rpm{part}", speed, page
 
 
 def sheet_figure(
     result: CampbellResult, speed: int, modes: Sequence[int], picture: Picture, look: Look
 ) -> Figure:
-    """A panel per mode with its ``picture``; ``look``: how that was made."""
+    """Draw a panel per mode with its ``picture``; ``look``: how it was made."""
     columns = 2 if len(modes) > 1 else 1
     rows = math.ceil(len(modes) / columns)
     images = [picture(speed, mode) for mode in modes]
@@ -69,15 +69,15 @@ def sheet_figure(
     width = (_WIDTH - 6.0 - 4.0 * (columns - 1)) / columns
     height = width * tall / wide
     rpm = result.shape_speed[speed] * RPM.factor
-    most = f"{100.0 * look.amplitude:g} % of the shaft's length"
-    title = f"mode shapes at {rpm:.6g} rpm, drawn up to {most}"
+    scale = f"{100.0 * look.amplitude:g} % of the shaft's length"
+    title = f"mode shapes at {rpm:.6g} rpm, drawn up to {scale}"
     figure = new_figure(_WIDTH, _TITLE + rows * (height + 5.5) + _FOOT, title)
     margins = (3.0, 3.0, _FOOT, _TITLE + 5.5)
     boxes = grid_boxes(figure, rows, columns, margins=margins, gaps=(4.0, 5.5))
     for mode, image, box in zip(modes, images, boxes, strict=False):
         axes = _canvas(figure, box)
         axes.imshow(image, interpolation="antialiased", aspect="auto")
-        axes.set_title(_called(result, speed, mode), fontsize=FONT_SIZE, pad=2.5)
+        axes.set_title(_caption(result, speed, mode), fontsize=FONT_SIZE, pad=2.5)
     _foot(figure, look.colours)
     return figure
 
@@ -92,7 +92,7 @@ def save_animation(
     look: Look,
     heading: str = "",
 ) -> None:
-    """One period of a mode as an endless GIF, with title and legend; ``frames`` (n, h, w, 3)."""
+    """Save one period of a mode as an endless GIF with its legend; ``frames`` (n, h, w, 3)."""
     from PIL import Image
 
     height, width = frames.shape[1:3]
@@ -106,8 +106,8 @@ def save_animation(
         )
         for frame in frames
     ]
-    each = round(1000.0 * SECONDS / len(images) / 10.0) * 10  # GIF counts hundredths of a second
-    images[0].save(path, save_all=True, append_images=images[1:], duration=each, loop=0)
+    ms = round(1000.0 * SECONDS / len(images) / 10.0) * 10  # GIF counts hundredths of a second
+    images[0].save(path, save_all=True, append_images=images[1:], duration=ms, loop=0)
 
 
 def _page(
@@ -118,12 +118,12 @@ def _page(
     colours: str,
     heading: str,
 ) -> tuple[Pixels, tuple[int, int]]:
-    """The page of an animation without its picture, and the pixel where this begins."""
+    """Return the page of an animation without its picture, and the pixel where this begins."""
     height, width = size
     dpi = width / (_WIDTH / 25.4)
     high = _TITLE + height / dpi * 25.4 + _FOOT
     rpm = result.shape_speed[speed] * RPM.factor
-    figure = new_figure(_WIDTH, high, f"{_called(result, speed, mode)}, {rpm:.6g} rpm", dpi)
+    figure = new_figure(_WIDTH, high, f"{_caption(result, speed, mode)}, {rpm:.6g} rpm", dpi)
     _foot(figure, colours)
     below = figure.bbox.height
     if heading:
@@ -136,18 +136,18 @@ def _page(
 
 
 def _pasted(page: Pixels, frame: Pixels, corner: tuple[int, int]) -> Pixels:
-    whole, (top, left) = page.copy(), corner
-    part = whole[top : top + frame.shape[0], left : left + frame.shape[1]]
+    result, (top, left) = page.copy(), corner
+    part = result[top : top + frame.shape[0], left : left + frame.shape[1]]
     part[:] = frame[: part.shape[0], : part.shape[1]]
-    return whole
+    return result
 
 
-def _called(result: CampbellResult, speed: int, mode: int) -> str:
-    """Name, frequency, whirl where the name does not say it, damping."""
+def _caption(result: CampbellResult, speed: int, mode: int) -> str:
+    """Return name, frequency, whirl where the name lacks it, and damping of a mode."""
     row = _row(result, speed)
     name, whirl = result.mode[mode], result.whirl[row, mode]
-    known = "forward" in name or "backward" in name
-    turn = "" if known else {1.0: " forward", -1.0: " backward"}.get(float(whirl), "")
+    has_whirl = "forward" in name or "backward" in name
+    turn = "" if has_whirl else {1.0: " forward", -1.0: " backward"}.get(float(whirl), "")
     damping = 100.0 * float(result.damping_ratio[row, mode])
     shown = f"{damping:.2g}" if abs(damping) > 1e-4 else "0"
     return f"{name}{turn}: {number(_hertz(result, speed, mode))} Hz, damping {shown} %".replace(
@@ -160,7 +160,7 @@ def _hertz(result: CampbellResult, speed: int, mode: int) -> float:
 
 
 def _row(result: CampbellResult, speed: int) -> int:
-    """Which of all speeds a speed of the shapes is."""
+    """Return the row of a speed of the shapes among all speeds."""
     return int(np.abs(result.speed - result.shape_speed[speed]).argmin())
 
 
@@ -171,7 +171,7 @@ def _canvas(figure: Figure, box: Sequence[float]) -> Axes:
 
 
 def _foot(figure: Figure, colours: str) -> None:
-    """Scale of colours, axes, meaning of the orbits."""
+    """Draw the colour scale, the axes, and the meaning of the orbits."""
     from matplotlib.cm import ScalarMappable
     from matplotlib.lines import Line2D
 
@@ -195,11 +195,11 @@ def _foot(figure: Figure, colours: str) -> None:
 
 
 def _triad(axes: Axes) -> None:
-    """Axes of the spindle as the pictures show them; it turns from y to z."""
+    """Draw the axes of the spindle as the pictures show them; it turns from y to z."""
     axes.set(xlim=(-0.6, 1.2), ylim=(-0.6, 1.2), aspect="equal")
     for name, end in zip("xyz", projected(np.eye(3)), strict=True):
         axes.annotate(
             "", end, (0.0, 0.0), arrowprops=dict(arrowstyle="-|>", color=BLACK, lw=0.8, shrinkA=0)
         )
-        place = end * (1.0 + 0.18 / np.hypot(*end))
-        axes.text(place[0], place[1], name, ha="center", va="center", fontsize=FONT_SIZE - 1.0)
+        at = end * (1.0 + 0.18 / np.hypot(*end))
+        axes.text(at[0], at[1], name, ha="center", va="center", fontsize=FONT_SIZE - 1.0)

@@ -18,18 +18,18 @@ code = partial(Code, __name__)
 
 
 def figures(_: Described, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
-    """The figures of a result."""
+    """Yield the figures of a result."""
     yield "control", partial(code("boundaries:control_figure"), result)
 
 
 def panels(_: Any, shown: Sequence[Shown]) -> Iterator[Panel]:
-    """The regions of every variant."""
+    """Yield the regions of every variant."""
     if shown[0].result.speed.size > 1:
         yield Panel("control_regions", code("boundaries:draw_variant"), tall=60.0)
 
 
 def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
-    """Both boundaries."""
+    """Yield both boundaries over speed."""
     result = variant.result
     curves = curves_of(result, "boundary_load", series="boundary", figure="control")
     for curve, word in zip(curves, BOUNDARY_WORDS.values(), strict=True):

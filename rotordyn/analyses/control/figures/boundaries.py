@@ -37,7 +37,7 @@ SHADES = {  # neither first: the others lie on it
 
 
 def control_figure(result: ControlResult) -> Figure:
-    """Regions shaded, boundaries and their quadratic fits as lines."""
+    """Draw regions as shades, boundaries and their quadratic fits as lines."""
     figure = new_figure(168.0, 108.0)
     axes = add_axes(figure, (17.0, 12.0, 143.0, 74.0))
     draw_control(axes, result)
@@ -46,7 +46,7 @@ def control_figure(result: ControlResult) -> Figure:
 
 
 def draw_control(axes: Axes, result: ControlResult, most: int = 6) -> None:
-    """The same onto axes; ``most`` ticks of speed."""
+    """Draw regions, boundaries and fits; ``most`` ticks of speed."""
     rpm = result.speed * RPM.factor
     axes.set_xlabel("speed [rpm]", fontsize=FONT_SIZE)
     axes.set_ylabel(f"{load_name(result)} [N]", fontsize=FONT_SIZE)
@@ -55,15 +55,15 @@ def draw_control(axes: Axes, result: ControlResult, most: int = 6) -> None:
     if rpm.size > 1:
         axes.set_xlim(float(rpm[0]), float(rpm[-1]))
         _regions(axes, result)
-    for place, (race, word) in enumerate(BOUNDARY_WORDS.items()):
-        known = np.isfinite(result.boundary_load[place])
-        if known.any():
-            look: dict[str, Any] = {"color": COLOURS[race], "ls": DASHES[place], "lw": 1.8}
-            axes.plot(rpm, result.boundary_load[place], label=word, **look)
-        if not result.fit_absence[place]:
-            load = np.where(known, fitted(result, place), np.nan)
+    for k, (race, label) in enumerate(BOUNDARY_WORDS.items()):
+        finite = np.isfinite(result.boundary_load[k])
+        if finite.any():
+            look: dict[str, Any] = {"color": COLOURS[race], "ls": DASHES[k], "lw": 1.8}
+            axes.plot(rpm, result.boundary_load[k], label=label, **look)
+        if not result.fit_absence[k]:
+            load = np.where(finite, fitted(result, k), np.nan)
             name = f"quadratic fit, {race} race"
-            axes.plot(rpm, load, color=BLACK, lw=0.9, ls=DASHES[2 + place], label=name)
+            axes.plot(rpm, load, color=BLACK, lw=0.9, ls=DASHES[2 + k], label=name)
 
 
 def draw_variant(axes: Axes, variant: Shown, _: object) -> None:
@@ -72,29 +72,28 @@ def draw_variant(axes: Axes, variant: Shown, _: object) -> None:
 
 
 def load_name(result: ControlResult) -> str:
-    """What the load is."""
+    """Return the name of the load."""
     return "axial load" + (f", radial {result.radial:g} of it" if result.radial else "")
 
 
 def _regions(axes: Axes, result: ControlResult) -> None:
-    """Shades from the margins; where there is no state, or a third contact, the ground stays
-    white."""
+    """Shade regions by the margins; no state, or a third contact, leaves the background white."""
     rpm = result.speed * RPM.factor
     inner, outer = (np.ma.masked_invalid(m.T) for m in (result.inner_margin, result.outer_margin))
     fields = {"neither": np.ma.ones(inner.shape), "inner": inner, "outer": outer}
     fields["neither"].mask = inner.mask | (not _between(result))
-    for name, (colour, word) in SHADES.items():
+    for name, (colour, text) in SHADES.items():
         if fields[name].count() and fields[name].max() > 0.0:
             above = [0.0, np.inf]
             axes.contourf(rpm, result.load, fields[name], above, colors=[colour], zorder=0.5)
-            axes.fill([], [], color=colour, label=word + (" all balls" if result.radial else ""))
+            axes.fill([], [], color=colour, label=text + (" all balls" if result.radial else ""))
     third = result.state == THIRD
     white = {"no state": np.isnan(result.inner_margin) & ~third, THIRD: third}
-    if label := " or ".join(word for word, where in white.items() if where.any()):
+    if label := " or ".join(text for text, where in white.items() if where.any()):
         axes.fill([], [], facecolor="white", edgecolor=GREY, label=label)
 
 
 def _between(result: ControlResult) -> bool:
-    """Whether there are states in which neither race controls."""
+    """Return whether there are states in which neither race controls."""
     neither = (result.inner_margin <= 0.0) & (result.outer_margin <= 0.0)
     return bool(neither.any() or np.isfinite(result.boundary_load).any())

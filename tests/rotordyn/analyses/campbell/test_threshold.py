@@ -69,10 +69,10 @@ def test_frequencies_followed_are_those_of_the_band_and_of_modes_that_leave_it()
     pole = np.array([np.nan, 390.0j, 450.0j])
     rising: Any = SimpleNamespace(track=Track(np.array([0.0, 10.0, 20.0]), pole, np.empty((3, 0))))
     band = Band(400.0 / (2.0 * np.pi))
-    assert threshold._up_to(band, [], 5.0) == pytest.approx(400.0)
-    assert threshold._up_to(band, [rising], 10.0) == pytest.approx(400.0)
+    assert threshold._highest(band, [], 5.0) == pytest.approx(400.0)
+    assert threshold._highest(band, [rising], 10.0) == pytest.approx(400.0)
     for speed in (12.0, 20.0):
-        assert threshold._up_to(band, [rising], speed) == pytest.approx(454.5)
+        assert threshold._highest(band, [rising], speed) == pytest.approx(454.5)
 
 
 @pytest.mark.parametrize(
@@ -94,11 +94,11 @@ def test_the_mode_whose_pole_grows_is_that_of_its_frequency(
         track = Track(np.array([0.0, 100.0, 200.0]), np.array([np.nan, *poles]), np.empty((3, 0)))
         return SimpleNamespace(track=track)
 
-    monkeypatch.setattr(threshold, "_fastest", lambda *_: pole)
+    monkeypatch.setattr(threshold, "_fastest_pole", lambda *_: pole)
     one = branch(-2.0 + 490.0j, 2.0 + 510.0j), "bending 1 forward"
     other = branch(-2.0 + 310.0j, 2.0 + 290.0j), "bending 2 forward"
     scene: Any = SimpleNamespace(speed=np.array([0.0, 100.0, 200.0]))
-    assert threshold._grown(scene, 0, 600.0, 150.0, [one, other]) == name
+    assert threshold._unstable(scene, 0, 600.0, 150.0, [one, other]) == name
 
 
 def test_it_is_a_headline_number() -> None:
