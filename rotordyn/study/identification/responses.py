@@ -289,7 +289,7 @@ class Responses(AsksNothing):
         return np.array([linear.row(place.rotor, place.x, way) for place, way in places])
 
     def deviation_at(self, speed: float, place: int) -> Array:
-        """Standard deviation (e,) of the parts of the responses of a speed at frequency ``place``."""
+        """Standard deviation (e,) of the parts of responses of a speed at frequency ``place``."""
         responses, response = self.of_speed(speed), self.modes[speed].best.fit
         omega = 2.0 * np.pi * np.array(responses[0].frequency)
         relative = np.array([self._relative(one) for one in responses]).T
