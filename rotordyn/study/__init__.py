@@ -1,11 +1,12 @@
-"""Many machines: a case solved at many points of what is varied in it.
+"""Many machines: a case solved with many values of its parameters.
 
-A sweep: ``parameter`` what is varied, ``design`` which points, ``point`` one of them solved,
-``workers`` who solves, ``journal`` outcomes on disk as they come, ``dataset`` all of them as one
-xarray Dataset, ``solve`` the call; ``deliver`` writes its folder: ``summary``, ``figures``.
-An ``interval``: ``machines`` that are off, ``quantiles`` of what they come to, ``sensitivity``;
-``run`` joins it to a run. ``optimum`` the best machine, ``identification`` the one measured.
+A sweep: ``parameter`` is what varies, ``design`` the points (combinations of values), ``point``
+solves one of them, ``workers`` distributes them over processes, ``journal`` keeps outcomes on disk
+as they come, ``dataset`` joins them in one xarray Dataset, ``solve`` is the call; ``deliver``
+writes the folder, with ``summary`` and ``figures``. An ``interval``: ``machines`` with changed
+parameters, ``quantiles`` of their results, ``sensitivity``; ``run`` adds it to a run. ``optimum``
+searches the best machine, ``identification`` the one that was measured.
 
-Shared: ``read`` the door for files, ``neighbours`` what machines have in common, ``record`` lines
-on disk, ``page`` the page of any folder from the ``columns`` of its table.
+Shared: ``read`` reads study files, ``neighbours`` reuses what machines have in common, ``record``
+appends lines to a file, ``page`` makes an HTML page of a folder from the ``columns`` of its table.
 """

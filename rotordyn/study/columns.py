@@ -1,5 +1,5 @@
-"""The table of a study or an optimum read back, and what its page shows of it: a scatter chart,
-parallel coordinates, the table itself."""
+"""The table of a study or an optimum, read from its file, and the charts that the page makes of it:
+a scatter chart, parallel coordinates, the table itself."""
 
 from __future__ import annotations
 
@@ -16,16 +16,17 @@ from rotordyn.page.looks import COLOURS, axis
 from rotordyn.results.kinds import Array, Flags
 
 MOST_ROWS = 500  # of the table on the page
-MOST_LISTED = 12  # values of what was varied; of more, lowest and highest
-ALONG = 6  # numbers beside the parameters of parallel coordinates
-LEAST, SIDES = 120, 115  # px from axis to axis of parallel coordinates, and for labels beside them
-LONGEST = 28  # letters of its label
-BLUE_TO_ORANGE = [[0.0, COLOURS[0]], [1.0, COLOURS[1]]]  # seen on light and on dark
+MOST_LISTED = 12  # values of a parameter; of more, only the lowest and highest are listed
+ALONG = 6  # results shown after the parameters in parallel coordinates
+LEAST, SIDES = 120, 115  # px between axes of parallel coordinates, and for labels at both sides
+LONGEST = 28  # characters of an axis label
+BLUE_TO_ORANGE = [[0.0, COLOURS[0]], [1.0, COLOURS[1]]]  # visible on light and dark backgrounds
 
 
 class Column(NamedTuple):
-    """A column: its heading, its cells as ``words``, and as numbers ``values`` (points,), NaN of
-    empty cells. Of words that are no numbers these are places among ``kinds``, the different ones.
+    """A column: its heading, its cells as text ``words`` and as numbers ``values`` (points,), NaN
+    where a cell is empty. If the cells are not numbers, ``kinds`` are the distinct texts and
+    ``values`` indices into them.
     """
 
     heading: str
@@ -35,13 +36,13 @@ class Column(NamedTuple):
 
     @property
     def moves(self) -> bool:
-        """Whether it is a number that is not the same at all points."""
-        known = self.values[np.isfinite(self.values)]
-        return not self.kinds and known.size > 0 and float(np.ptp(known)) > 0.0
+        """Whether the column is numeric and its values differ."""
+        finite = self.values[np.isfinite(self.values)]
+        return not self.kinds and finite.size > 0 and float(np.ptp(finite)) > 0.0
 
 
 class Group(NamedTuple):
-    """Points of a kind, and how they are marked: ``chosen`` (points,)."""
+    """A group of points drawn with one ``marker``; ``chosen`` (points,) flags its members."""
 
     name: str
     chosen: Flags
@@ -49,15 +50,15 @@ class Group(NamedTuple):
 
 
 def read_columns(path: Path) -> list[Column]:
-    """The columns of a table with a heading each.
+    """Read a CSV table whose first row holds the headings.
 
     Raises
     ------
-    OSError, ValueError : no such file, or no table
+    OSError, ValueError : the file does not exist, or is not a table
     """
     with path.open(newline="", encoding="utf-8-sig") as file:
-        heads, *rows = csv.reader(file)
-    return [_column(head, [row[k] for row in rows]) for k, head in enumerate(heads)]
+        headings, *rows = csv.reader(file)
+    return [_column(heading, [row[k] for row in rows]) for k, heading in enumerate(headings)]
 
 
 def _column(heading: str, words: Sequence[str]) -> Column:
@@ -76,7 +77,7 @@ def _value(word: str) -> float | None:
 
 
 def varied_table(title: str, columns: Sequence[Column]) -> Table:
-    """What was varied, and over which values."""
+    """Table of the parameters and their values."""
     return Table(title, ("path", "values"), [*_varied(columns)])
 
 
@@ -92,7 +93,7 @@ def _varied(columns: Sequence[Column]) -> Iterator[tuple[str, str]]:
 
 
 def plain_group(count: int) -> Group:
-    """All points alike."""
+    """Group of all points, with one marker."""
     marker = {"color": COLOURS[0], "size": 7, "opacity": 0.75}
     return Group("points", np.ones(count, dtype=bool), marker)
 
@@ -103,9 +104,9 @@ def scatter(
     groups: Sequence[Group],
     start: tuple[int, int],
 ) -> Chart:
-    """Any column over any other, a mark for every point.
+    """Scatter chart of any column over any other, with a marker for every point.
 
-    ``start``: places among all of the columns that are across and up at first.
+    ``start``: indices of the columns that are shown at first, horizontally and vertically.
     """
     columns = [*varied, *shown]
     values = np.array([each.values for each in columns])
@@ -142,49 +143,49 @@ def scatter(
     return Chart("Trade-off", traces, layout, controls, note=note, wide=True, tall=480)
 
 
-def _moving(which: str, control: int, columns: Sequence[Column]) -> dict[str, Any]:
-    """What an axis takes from the column that its control has chosen: title and ticks."""
-    looks = {
+def _moving(axis_name: str, control: int, columns: Sequence[Column]) -> dict[str, Any]:
+    """Axis title and ticks of each column, by the state of the ``control`` that selects it."""
+    properties = {
         "title.text": [each.heading for each in columns],
         "tickmode": ["array" if each.kinds else "auto" for each in columns],
         "tickvals": [[*range(len(each.kinds))] or None for each in columns],
         "ticktext": [[*each.kinds] or None for each in columns],
     }
-    return {f"{which}.{key}": {"by": (control,), "values": v} for key, v in looks.items()}
+    return {f"{axis_name}.{key}": {"by": (control,), "values": v} for key, v in properties.items()}
 
 
 def parallel_coordinates(
     title: str, varied: Sequence[Column], shown: Sequence[Column], colour: Column | None = None
 ) -> Chart:
-    """Every point as a line over what was varied and some numbers, in the ``colour`` of one of
-    these, the last by default.
+    """Parallel coordinates: every point is a line across parameters and results; ``colour`` is the
+    column that colours the lines, the last one by default.
 
-    Numbers that some solved point lacks, such as the speed of a stop that is not met, have no axis:
-    a line goes through all of them.
+    Results that are missing at a solved point, such as the speed at which a stop closes, get no
+    axis, since a line must cross all axes.
     """
     solved = np.isfinite([each.values for each in shown]).any(axis=0)
-    whole = [each for each in shown if np.isfinite(each.values[solved]).all()] or shown
-    chosen = [*varied, *_different(whole)[:ALONG]]
+    complete = [each for each in shown if np.isfinite(each.values[solved]).all()] or shown
+    chosen = [*varied, *_different(complete)[:ALONG]]
     colour = colour or chosen[-1]
-    known = np.asarray(np.isfinite([each.values for each in (*chosen, colour)]).all(axis=0))
+    drawn = np.asarray(np.isfinite([each.values for each in (*chosen, colour)]).all(axis=0))
     trace = {
         "type": "parcoords",
-        "dimensions": [_dimension(each, known) for each in chosen],
-        "line": {"color": colour.values[known], "colorscale": BLUE_TO_ORANGE},
+        "dimensions": [_dimension(each, drawn) for each in chosen],
+        "line": {"color": colour.values[drawn], "colorscale": BLUE_TO_ORANGE},
         "labelangle": -12,
     }
     layout = {"margin": {"l": SIDES, "r": SIDES, "t": 120, "b": 30}}
-    least = LEAST * (len(chosen) - 1) + 2 * SIDES
+    least_width = LEAST * (len(chosen) - 1) + 2 * SIDES
     note = f"Drag along an axis to keep the points within; colour follows {colour.heading}."
-    if lacking := [each.heading for each in shown if not any(each is kept for kept in whole)]:
+    if lacking := [each.heading for each in shown if not any(each is kept for kept in complete)]:
         note += f" Without an axis, since not every point has it: {', '.join(lacking)}."
-    if missing := int((solved & ~known).sum()):
+    if missing := int((solved & ~drawn).sum()):
         note += f" {missing} of {int(solved.sum())} points lack one of these numbers: no line."
-    return Chart(title, [trace], layout, note=note, wide=True, tall=480, least=least)
+    return Chart(title, [trace], layout, note=note, wide=True, tall=480, least=least_width)
 
 
 def _dimension(column: Column, known: Flags) -> dict[str, Any]:
-    """An axis of parallel coordinates; the end of a long heading tells most."""
+    """Axis of parallel coordinates; a long heading keeps its end, which is the specific part."""
     heading = column.heading
     label = f"…{heading[1 - LONGEST :]}" if len(heading) > LONGEST else heading
     ticks = {"tickvals": [*range(len(column.kinds))], "ticktext": [*column.kinds]}
@@ -192,17 +193,17 @@ def _dimension(column: Column, known: Flags) -> dict[str, Any]:
 
 
 def _different(columns: Sequence[Column]) -> list[Column]:
-    """Those that are not, but for rounding, a column before them."""
+    """Drop columns that equal an earlier one to within rounding."""
     kept: list[Column] = []
     for each in columns:
-        alike = (np.allclose(each.values, k.values, rtol=1e-4, equal_nan=True) for k in kept)
-        if not any(alike):
+        duplicates = (np.allclose(each.values, k.values, rtol=1e-4, equal_nan=True) for k in kept)
+        if not any(duplicates):
             kept.append(each)
     return kept
 
 
 def table_of(title: str, columns: Sequence[Column], file: str) -> Table:
-    """The first rows of columns whose whole is in a ``file``; the first heads its rows."""
+    """Table of the first rows; all rows are in ``file``. The first column labels the rows."""
     count = len(columns[0].words)
     rows = [[each.words[k] or "–" for each in columns] for k in range(min(count, MOST_ROWS))]
     note = f"The first {MOST_ROWS} of {count}; all are in {file}." if count > MOST_ROWS else ""

@@ -1,4 +1,4 @@
-"""Outcomes of a study as one xarray Dataset, what was varied as its dimensions."""
+"""Outcomes of a study as one xarray Dataset, whose dimensions are the parameters."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 DATASET = "study.nc"
 POINT = "point"
-OF_RESULTS = ": "  # in the name of a variable that belongs to an analysis, not in those of paths
+OF_RESULTS = ": "  # separates analysis and variable in a name; a dotted path never holds it
 
 
 def gathered(
@@ -25,8 +25,11 @@ def gathered(
     outcomes: Mapping[int, Outcome],
     datasets: Callable[[Outcome], Mapping[str, xr.Dataset]],
 ) -> xr.Dataset:
-    """Every headline number, NaN beside its ``sentence`` where there is none, and what is kept
-    whole as ``analysis: variable``."""
+    """Join the outcomes of all points in one Dataset.
+
+    It holds every headline number (NaN where a point has none; ``sentence`` says why), and the
+    variables of analyses that are kept whole as ``analysis: variable``.
+    """
     import xarray as xr
 
     design, case = study.design, study.case
@@ -36,17 +39,21 @@ def gathered(
     for name, unit in units_of.items():
         column = [row.numbers.get(name, (np.nan,))[0] if row else np.nan for row in rows]
         values[name] = (design.dims, np.reshape(column, design.shape), _attributes(unit, name))
-    said = np.array([row.sentence if row else "not solved yet" for row in rows], dtype=object)
-    told = np.array([len(row.warnings) if row else 0 for row in rows])
-    values["sentence"] = (design.dims, said.reshape(design.shape), {"long_name": "why not solved"})
-    values["warnings"] = (design.dims, told.reshape(design.shape), {"long_name": "how many"})
-    whole = xr.Dataset(values, _coordinates(design), about(case.name, case.title, case.digest))
-    good = [(k, row) for k, row in enumerate(rows) if row and row.solved]
-    if not study.results or not good:
-        return whole
-    kept = {k: datasets(row) for k, row in good}
+    sentences = np.array([row.sentence if row else "not solved yet" for row in rows], dtype=object)
+    warnings = np.array([len(row.warnings) if row else 0 for row in rows])
+    values["sentence"] = (
+        design.dims,
+        sentences.reshape(design.shape),
+        {"long_name": "why not solved"},
+    )
+    values["warnings"] = (design.dims, warnings.reshape(design.shape), {"long_name": "how many"})
+    joined = xr.Dataset(values, _coordinates(design), about(case.name, case.title, case.digest))
+    solved = [(k, row) for k, row in enumerate(rows) if row and row.solved]
+    if not study.results or not solved:
+        return joined
+    kept = {k: datasets(row) for k, row in solved}
     parts = [_apart(_stacked(design, name, kept), design, values.keys()) for name in study.results]
-    return xr.merge([whole, *parts], combine_attrs="override", join="left")
+    return xr.merge([joined, *parts], combine_attrs="override", join="left")
 
 
 def _coordinates(design: Design) -> dict[str, Any]:
@@ -68,7 +75,7 @@ def _row(labels: Any) -> Any:
 
 
 def _attributes(unit: str, name: str) -> dict[str, str]:
-    """``long_name`` and ``units``, those that CF can write; printed units as they are."""
+    """``long_name`` and ``units``, by CF where it knows the unit, else as printed."""
     try:
         return {"long_name": name, **units(unit.replace(" ", "·"))}
     except ValueError:
@@ -76,53 +83,55 @@ def _attributes(unit: str, name: str) -> dict[str, str]:
 
 
 def _stacked(design: Design, name: str, kept: Mapping[int, Mapping[str, xr.Dataset]]) -> xr.Dataset:
-    """A dataset of all points over another, with NaN where one of them has no value."""
+    """Stack the datasets of one analysis over all points, with NaN where a point lacks a value."""
     import xarray as xr
 
     named = [_named(name, each[name]) for each in kept.values()]
-    places = {dim: _places([each[dim].values for each in named]) for dim in named[0].dims}
+    aligned = {dim: _places([each[dim].values for each in named]) for dim in named[0].dims}
     numbered = [
-        each.assign_coords({dim: own[k] for dim, (_, own) in places.items()})
+        each.assign_coords({dim: indices[k] for dim, (_, indices) in aligned.items()})
         for k, each in enumerate(named)
     ]
-    whole = xr.concat(numbered, dim=POINT, data_vars="all", join="outer", combine_attrs="override")
-    whole = whole.assign_coords({POINT: [*kept]}).reindex({POINT: np.arange(design.count)})
-    entries = {dim: (dim, every, named[0][dim].attrs) for dim, (every, _) in places.items()}
-    whole = whole.assign_coords(entries)
-    return _unravelled(design, whole) if design.sampling == "grid" else whole.drop_vars(POINT)
+    stacked = xr.concat(
+        numbered, dim=POINT, data_vars="all", join="outer", combine_attrs="override"
+    )
+    stacked = stacked.assign_coords({POINT: [*kept]}).reindex({POINT: np.arange(design.count)})
+    entries = {dim: (dim, labels, named[0][dim].attrs) for dim, (labels, _) in aligned.items()}
+    stacked = stacked.assign_coords(entries)
+    return _unravelled(design, stacked) if design.sampling == "grid" else stacked.drop_vars(POINT)
 
 
 def _named(name: str, data: xr.Dataset) -> xr.Dataset:
-    """Variables and dimensions by the names that they have in a study."""
+    """Rename variables and dimensions to ``analysis: variable``."""
     return data.rename({each: f"{name}{OF_RESULTS}{each}" for each in data.variables})
 
 
 def _apart(part: xr.Dataset, design: Design, numbers: Set[str]) -> xr.Dataset:
-    """With the dimensions in the name of a variable that a headline number is called like."""
-    called = {}
+    """Add the dimensions to the name of a variable that is called like a headline number."""
+    renamed = {}
     for name in numbers & part.variables.keys():
         over = ", ".join(str(d) for d in part[name].dims if d not in design.dims)
-        called[name] = f"{name} coordinate" if over == name else f"{name} over {over}"
-    return part.rename(called)
+        renamed[name] = f"{name} coordinate" if over == name else f"{name} over {over}"
+    return part.rename(renamed)
 
 
 def _places(rows: Sequence[Any]) -> tuple[Any, list[list[int]]]:
-    """All entries of one dimension of several datasets, ascending where these differ, and the
-    places among them of each.
+    """Union of the labels of one dimension over several datasets, ascending unless all agree, and
+    the indices of each dataset's labels in it.
 
-    An entry may stand there more than once, such as a mode that several orders excite: the first
-    of one is the same as the first of another, then the second.
+    A label may repeat, such as a mode that several orders excite; its n-th occurrences in different
+    datasets are matched with one another.
     """
     counted = [_counted(row.tolist()) for row in rows]
-    alike = all(row == counted[0] for row in counted)
-    every = counted[0] if alike else sorted({each for row in counted for each in row})
-    place = {each: k for k, each in enumerate(every)}
-    values = np.array([entry for entry, _ in every], dtype=np.result_type(*rows))
+    identical = all(row == counted[0] for row in counted)
+    union = counted[0] if identical else sorted({each for row in counted for each in row})
+    place = {each: k for k, each in enumerate(union)}
+    values = np.array([entry for entry, _ in union], dtype=np.result_type(*rows))
     return values, [[place[each] for each in row] for row in counted]
 
 
 def _counted(entries: Sequence[Any]) -> list[tuple[Any, int]]:
-    """Each entry with the number of its like before it."""
+    """Pair each entry with the number of equal entries before it."""
     seen: Counter[Any] = Counter()
     counted = []
     for each in entries:
@@ -131,19 +140,19 @@ def _counted(entries: Sequence[Any]) -> list[tuple[Any, int]]:
     return counted
 
 
-def _unravelled(design: Design, whole: xr.Dataset) -> xr.Dataset:
-    """The one dimension of points as those of a grid."""
+def _unravelled(design: Design, stacked: xr.Dataset) -> xr.Dataset:
+    """Reshape the dimension ``point`` into the dimensions of the grid."""
     import xarray as xr
 
-    found = {}
-    for name, each in whole.drop_vars(POINT).variables.items():
-        if POINT in each.dims:
-            first = each.transpose(POINT, ...)
+    variables = {}
+    for name, variable in stacked.drop_vars(POINT).variables.items():
+        if POINT in variable.dims:
+            first = variable.transpose(POINT, ...)
             shape = (*design.shape, *first.shape[1:])
-            found[name] = xr.Variable(
-                (*design.dims, *first.dims[1:]), first.values.reshape(shape), each.attrs
+            variables[name] = xr.Variable(
+                (*design.dims, *first.dims[1:]), first.values.reshape(shape), variable.attrs
             )
         else:
-            found[name] = each
-    coords = {name: found.pop(name) for name in whole.coords if name in found}
-    return xr.Dataset(found, coords)
+            variables[name] = variable
+    coords = {name: variables.pop(name) for name in stacked.coords if name in variables}
+    return xr.Dataset(variables, coords)

@@ -1,4 +1,4 @@
-"""A study solved into its folder: points as they come, then dataset, table, summary, figures."""
+"""Solve a study into its folder: points as they come, then dataset, table, summary, figures."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from rotordyn.study.solve import Progress, solved
 from rotordyn.study.summary import SUMMARY, summary, write_points
 from rotordyn.whole import whole_files
 
-LEAST_ROOM = 1_000_000  # bytes that a disk has left
+LEAST_ROOM = 1_000_000  # bytes of free disk space, beside the dataset
 
 
 @dataclass(frozen=True, slots=True)
 class Delivered:
-    """What a study left behind: folder, summary, how many points it has and how many are solved."""
+    """Folder and summary of a study, number of its ``points`` and of those ``solved``."""
 
     folder: Path
     summary: str
@@ -42,7 +42,7 @@ def deliver(
     draw: bool = True,
     formats: Sequence[str] = USUAL_FORMATS,
 ) -> Delivered:
-    """Solve ``study`` and write what it came to.
+    """Solve ``study`` and write its results into ``folder``.
 
     Raises
     ------
@@ -65,11 +65,11 @@ def deliver(
                     draw_one(name, drawing, place, formats)
     except OSError as error:
         raise InvalidInput(f"{folder}: cannot be written: {error.strerror or error}") from None
-    good = sum(row.solved for row in outcomes.values())
-    return Delivered(folder, text, study.design.count, good)
+    solved_points = sum(row.solved for row in outcomes.values())
+    return Delivered(folder, text, study.design.count, solved_points)
 
 
 def _require_room(folder: Path, size: int) -> None:
-    """HDF5 itself, on a full disk, ends the process instead of saying so."""
+    """Raise OSError if the disk has no room: HDF5 would end the process on a full disk."""
     if shutil.disk_usage(folder).free < size:
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))

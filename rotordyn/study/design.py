@@ -1,4 +1,4 @@
-"""Which points of a study are solved: every combination of values, rows of a list, or a sample."""
+"""The points of a study: every combination of values, rows of a list, or a random sample."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ from rotordyn.study.parameter import (
 
 
 def one_machine(case: Case, varied: Collection[str]) -> Case:
-    """The case without its variants and what is uncertain, of which studies take no notice.
+    """Return the case without its variants and uncertainties, which studies ignore.
 
     Raises
     ------
-    InvalidInput : it is one of several tools, none of which is meant more than the others
+    InvalidInput : the case compares tools, and ``varied`` does not say which to take
     """
     tools = [each.tool for each in case.variants.values()]
     compared = len(tools) > 1 and tools[0] == case.tool and tools.count(case.tool) == 1
@@ -49,9 +49,10 @@ def one_machine(case: Case, varied: Collection[str]) -> Case:
 
 @dataclass(frozen=True, eq=False)
 class Design:
-    """The points of a study, numbered from 0; those of a grid with the last parameter fastest.
+    """The points of a study, numbered from 0; in a grid the last parameter varies fastest.
 
-    ``samples``, ``seed``: of a sample, which is drawn when first asked for; no ``samples``: none.
+    ``samples``: number of points of a random sample, drawn with ``seed`` when first needed; None
+    for a grid or a list.
     """
 
     parameters: tuple[Parameter, ...]
@@ -61,7 +62,7 @@ class Design:
 
     @cached_property
     def shares(self) -> Array | None:
-        """(points, parameters) in [0, 1): of a sample, None otherwise."""
+        """Coordinates of a sample (points, parameters) in [0, 1); None for a grid or a list."""
         if self.samples is None:
             return None
         if self.sampling == "latin-hypercube":
@@ -72,7 +73,7 @@ class Design:
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """Points along each dimension: of a grid one a parameter, else one in all."""
+        """Points along each dimension: one dimension for each parameter of a grid, else one."""
         if self.samples is not None:
             return (self.samples,)
         sizes = tuple(len(each.values) for each in self.parameters)
@@ -80,41 +81,41 @@ class Design:
 
     @property
     def count(self) -> int:
-        """How many points."""
+        """Number of points."""
         return math.prod(self.shape)
 
     @property
     def dims(self) -> tuple[str, ...]:
-        """Names of the dimensions: the paths of a grid, else ``point``."""
+        """Names of the dimensions: the dotted paths in a grid, else ``point``."""
         return tuple(p.path for p in self.parameters) if self.sampling == "grid" else ("point",)
 
     def point(self, number: int) -> dict[str, Any]:
-        """Values by path, as ``vary`` takes them."""
+        """Values of a point by dotted path, as ``vary`` takes them."""
         if self.shares is not None:
             shares = self.shares[number]
             return {p.path: p.at(float(s)) for p, s in zip(self.parameters, shares, strict=True)}
         return {p.path: p.values[k] for p, k in self._places(number)}
 
     def labels(self, number: int) -> dict[str, Any]:
-        """The same as coordinates: numbers in SI units, or words."""
+        """Coordinates of a point by dotted path: numbers in SI units, or words."""
         values = self.point(number)
         if self.shares is None:
             return {p.path: p.labels[k] for p, k in self._places(number)}
         return {p.path: _label(p, values[p.path]) for p in self.parameters}
 
     def _places(self, number: int) -> Iterator[tuple[Parameter, int]]:
-        """Every parameter, and the place of a point among its values."""
+        """Pairs of a parameter and the index of the point's value."""
         if self.sampling != "grid":
             return zip(self.parameters, repeat(number))
-        places = []
+        indices = []
         for size in reversed(self.shape):
-            number, place = divmod(number, size)
-            places.append(place)
-        return zip(self.parameters, reversed(places), strict=True)
+            number, index = divmod(number, size)
+            indices.append(index)
+        return zip(self.parameters, reversed(indices), strict=True)
 
 
 def _label(of: Parameter, value: Any) -> Any:
-    """The coordinate of a sampled value, which is the very object that its list holds."""
+    """Coordinate of a sampled value; a listed one is looked up by identity, whatever its type."""
     if of.ends is not None:
         return value
     return of.labels[next(k for k, each in enumerate(of.values) if each is value)]
@@ -127,7 +128,7 @@ def design(
     samples: int | None = None,
     seed: int = 0,
 ) -> Design:
-    """The points asked for, held against the case.
+    """Build the design of a study and check it against the case.
 
     Raises
     ------
@@ -139,41 +140,42 @@ def design(
         raise InvalidInput(
             f"sampling: given {shown(sampling)}; allowed: {', '.join(SAMPLINGS)}{hint}"
         )
-    found = tuple(parameters(case, varied))
+    varied_parameters = tuple(parameters(case, varied))
     if sampling in SAMPLED:
         _require_sample(sampling, samples, seed)
-        drawn = Design(found, sampling, samples, seed)
+        drawn = Design(varied_parameters, sampling, samples, seed)
         _require_begun(case, drawn)
         return drawn
     if samples is not None:
         raise InvalidInput(
             f"samples: a {sampling} has no samples; allowed with {' or '.join(SAMPLED)}"
         )
-    for each in found:
-        if not each.values:
+    for parameter in varied_parameters:
+        if not parameter.values:
             raise InvalidInput(
-                f"{each.path}: a {sampling} needs values: list them, or give the span a count "
+                f"{parameter.path}: a {sampling} needs values: list them, or give the span a count "
                 "(points, in a file)"
             )
-    whole = Design(found, sampling)
-    _require_fitting(whole)
-    _require_begun(case, whole)
-    return whole
+    listed = Design(varied_parameters, sampling)
+    _require_fitting(listed)
+    _require_begun(case, listed)
+    return listed
 
 
-def _require_begun(case: Case, whole: Design) -> None:
-    """Paths into what is absent give all that it needs; rules are asked of each point."""
-    if not all(found_at(case, each.path) for each in whole.parameters):
+def _require_begun(case: Case, points: Design) -> None:
+    """Check that paths into an absent part of the case together define it; the rules between values
+    are checked at each point."""
+    if not all(found_at(case, each.path) for each in points.parameters):
         with unchecked():
-            changed(case, whole.point(0))
+            changed(case, points.point(0))
 
 
 def _require_fitting(whole: Design) -> None:
-    found = whole.parameters
+    varied = whole.parameters
     if whole.sampling == "grid":
-        require_each_once(found)
-    elif len({len(each.values) for each in found}) > 1:
-        given = ", ".join(f"{each.path} {len(each.values)}" for each in found)
+        require_each_once(varied)
+    elif len({len(each.values) for each in varied}) > 1:
+        given = ", ".join(f"{each.path} {len(each.values)}" for each in varied)
         raise InvalidInput(f"a list has as many values of every path: got {given}")
 
 

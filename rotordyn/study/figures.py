@@ -1,4 +1,4 @@
-"""Headline numbers over what was varied; of three parameters or more, parallel coordinates too."""
+"""Headline numbers over the parameters of a study; parallel coordinates of three or more."""
 
 from __future__ import annotations
 
@@ -38,18 +38,18 @@ if TYPE_CHECKING:
 
 PANELS, COLUMNS = 9, 3
 ROW = 48.0  # mm
-ROOM = (0.05, 0.1)  # share of an axis beside its points
+ROOM = (0.05, 0.1)  # margins of x and y, over the range of the points
 NOTE: dict[str, Any] = {"ha": "right", "color": GREY, "fontsize": FONT_SIZE - 1.5}  # in a panel
-FEW = 7  # values of the second parameter, or combinations of the others, that the legend names
-LEGEND = 9.0  # mm of its two lines
-LETTER, SHORTEST, WIDEST = 1.25, 11, 22  # mm of a letter; letters of a line that stands level
-ALIKE = 1e-6  # relative difference of numbers that are drawn once
-ALONG = 5  # numbers beside the parameters of parallel coordinates
+FEW = 7  # values of the second parameter, or combinations of the others, listed in the legend
+LEGEND = 9.0  # mm, height of two lines
+LETTER, SHORTEST, WIDEST = 1.25, 11, 22  # mm of a character; characters of a horizontal label
+ALIKE = 1e-6  # relative difference up to which two numbers share a panel
+ALONG = 5  # results after the parameters in parallel coordinates
 
 
 class Shown(NamedTuple):
-    """A number as drawn: its words, unit, and value at every point, NaN where there is none, which
-    ``lacking`` tells."""
+    """A headline number as drawn: name, unit, value at every point (NaN where there is none), and a
+    note ``lacking`` on how many points have none."""
 
     words: str
     unit: str
@@ -58,54 +58,56 @@ class Shown(NamedTuple):
 
     @property
     def heading(self) -> str:
-        """Words and unit."""
+        """Name with unit."""
         return f"{self.words} [{self.unit}]" if self.unit else self.words
 
 
 def figures(
     study: Study, outcomes: Mapping[int, Outcome]
 ) -> Iterator[tuple[str, Callable[[], Figure]]]:
-    """Name and drawing of every figure."""
+    """Yield the name of every figure and the function that draws it."""
     by_analysis: dict[str, list[Shown]] = {}
     for name, unit in names(outcomes).items():
-        of, _, words = name.partition(": ")
+        analysis_name, _, words = name.partition(": ")
         rows = (outcomes.get(k) for k in range(study.design.count))
         column = [row.numbers.get(name, (math.nan,))[0] if row else math.nan for row in rows]
         values = np.where(np.isfinite(column), column, np.nan)
         if np.isfinite(values).any() and np.nanmax(values) > np.nanmin(values):
-            by_analysis.setdefault(of, []).append(
+            by_analysis.setdefault(analysis_name, []).append(
                 Shown(words, unit, values, lacking(name, outcomes))
             )
-    by_analysis = {of: _once(found) for of, found in by_analysis.items()}
-    for of, found in by_analysis.items():
-        yield f"study_{of}", partial(_over, study, of, found)
+    by_analysis = {analysis_name: _once(shown) for analysis_name, shown in by_analysis.items()}
+    for analysis_name, shown in by_analysis.items():
+        yield f"study_{analysis_name}", partial(_over, study, analysis_name, shown)
     if len(study.design.parameters) > 2 and by_analysis:
         chosen = [
-            each._replace(words=f"{of}: {each.words}")
-            for of, found in by_analysis.items()
-            for each in found[:2]
+            each._replace(words=f"{analysis_name}: {each.words}")
+            for analysis_name, shown in by_analysis.items()
+            for each in shown[:2]
         ][:ALONG]
         yield "study_across", partial(_parallel_coordinates, study, chosen)
 
 
 def _once(found: Sequence[Shown]) -> list[Shown]:
-    """Numbers that are alike at every point as one, such as both whirls of a mode at rest."""
+    """Merge numbers that agree at every point, such as both whirl directions of a mode at rest."""
     groups: list[list[Shown]] = []
-    for each in found:
-        for known in groups:
-            first = known[0]
-            if first.unit == each.unit and np.allclose(
-                first.values, each.values, rtol=ALIKE, atol=0.0, equal_nan=True
+    for number in found:
+        for group in groups:
+            first = group[0]
+            if first.unit == number.unit and np.allclose(
+                first.values, number.values, rtol=ALIKE, atol=0.0, equal_nan=True
             ):
-                known.append(each)
+                group.append(number)
                 break
         else:
-            groups.append([each])
-    return [known[0]._replace(words=_joined([each.words for each in known])) for known in groups]
+            groups.append([number])
+    return [
+        group[0]._replace(words=_joined([number.words for number in group])) for group in groups
+    ]
 
 
 def _joined(names: Sequence[str]) -> str:
-    """Names as one: what differs is listed, what they share at both ends stands once.
+    """Join names into one: common words at both ends appear once, the rest is listed.
 
     >>> _joined(["bending 2 backward at 0 rpm", "bending 2 forward at 0 rpm"])
     'bending 2 backward, forward at 0 rpm'
@@ -114,34 +116,34 @@ def _joined(names: Sequence[str]) -> str:
     head = _shared(rows)
     rest = [row[len(head) :] for row in rows]
     tail = _shared([row[::-1] for row in rest])[::-1]
-    apart = [" ".join(row[: len(row) - len(tail)]) for row in rest]
-    listed = ", ".join(dict.fromkeys(filter(None, apart)))
+    middles = [" ".join(row[: len(row) - len(tail)]) for row in rest]
+    listed = ", ".join(dict.fromkeys(filter(None, middles)))
     return " ".join(filter(None, [*head, listed, *tail]))
 
 
 def _shared(rows: Sequence[Sequence[str]]) -> list[str]:
-    """Words that all rows begin with."""
-    alike = takewhile(lambda words: len({*words}) == 1, zip(*rows, strict=False))
-    return [first for first, *_ in alike]
+    """Longest common beginning of rows of words."""
+    common = takewhile(lambda words: len({*words}) == 1, zip(*rows, strict=False))
+    return [first for first, *_ in common]
 
 
-def _over(study: Study, name: str, found: list[Shown]) -> Figure:
-    """Panels of the numbers of an analysis that vary most over the points."""
+def _over(study: Study, name: str, numbers: list[Shown]) -> Figure:
+    """Draw a panel for each number of an analysis, those that vary most if there are too many."""
     spread = sorted(
-        found,
+        numbers,
         key=lambda s: -float(np.ptp(s.values[np.isfinite(s.values)]) / np.nanmax(np.abs(s.values))),
     )
-    shown = [each for each in found if each in spread[:PANELS]]
+    shown = [each for each in numbers if each in spread[:PANELS]]
     columns = min(COLUMNS, len(shown))
     rows = -(-len(shown) // columns)
     grid = study.design.sampling == "grid"
     legends = _legends(study, shown) if grid else []
     top = 11.0 + LEGEND * len(legends)
-    high = top + 6.0 + ROW * rows
+    height = top + 6.0 + ROW * rows
     title = analysis(name).heading
-    if len(shown) < len(found):
-        title += f": the {len(shown)} of {len(found)} numbers that vary most"
-    figure = new_figure(height=high, title=title)
+    if len(shown) < len(numbers):
+        title += f": the {len(shown)} of {len(numbers)} numbers that vary most"
+    figure = new_figure(height=height, title=title)
     margins = (12.0, 5.0, 12.0, top)
     boxes = grid_boxes(figure, rows, columns, margins=margins, gaps=(14.0, 12.0 if grid else 16.0))
     for each, box in zip(shown, boxes, strict=False):
@@ -158,7 +160,7 @@ def _over(study: Study, name: str, found: list[Shown]) -> Figure:
             handles=handles,
             title=shortened(title, 110),
             loc="upper center",
-            bbox_to_anchor=(0.5, 1.0 - (6.0 + LEGEND * k) / high),
+            bbox_to_anchor=(0.5, 1.0 - (6.0 + LEGEND * k) / height),
             ncols=max(len(handles), 1),
             frameon=False,
             fontsize=FONT_SIZE - 1.0,
@@ -171,16 +173,16 @@ def _over(study: Study, name: str, found: list[Shown]) -> Figure:
 
 
 def _legends(study: Study, shown: Sequence[Shown]) -> list[tuple[str, list[Any]]]:
-    """Heading and lines of the colours of the second parameter and of the dashes of the others."""
+    """Headings and handles of two legends: colours (second parameter), dashes (the others)."""
     from matplotlib.lines import Line2D
 
     legends: list[tuple[str, list[Any]]] = []
     _, *others = study.design.parameters
     if others and (count := len(others[0].values)) <= FEW:
         words = [_word(others[0], k) for k in range(count)]
-        plain = {"ls": "-", "marker": ""} if others[1:] else {}
-        looks = [{**_look(k, k), **plain} for k in range(count)]
-        handles = [Line2D([], [], label=w, **look) for w, look in zip(words, looks, strict=True)]
+        solid = {"ls": "-", "marker": ""} if others[1:] else {}
+        styles = [{**_look(k, k), **solid} for k in range(count)]
+        handles = [Line2D([], [], label=w, **style) for w, style in zip(words, styles, strict=True)]
         legends.append((others[0].heading, handles))
     if further := others[1:]:
         shape = [len(each.values) for each in further]
@@ -192,14 +194,14 @@ def _legends(study: Study, shown: Sequence[Shown]) -> list[tuple[str, list[Any]]
         for j, places in enumerate(np.ndindex(*shape)):
             if any(np.isfinite(grid[:, :, j]).any() for grid in grids):
                 label = ", ".join(_word(p, k) for p, k in zip(further, places, strict=True))
-                look = {**_look(0, j), "color": BLACK}
-                handles.append(Line2D([], [], label=label, **look))
+                style = {**_look(0, j), "color": BLACK}
+                handles.append(Line2D([], [], label=label, **style))
         legends.append((heading, handles))
     return legends
 
 
 def _look(colour: int, sign: int) -> dict[str, Any]:
-    """Of a line by the places of its colour and of its dashes and marks."""
+    """Line style with the given colour number; ``sign`` numbers dashes and markers."""
     return {
         "color": CYCLE[colour % len(CYCLE)],
         "ls": DASHES[sign % len(DASHES)],
@@ -209,29 +211,31 @@ def _look(colour: int, sign: int) -> dict[str, Any]:
     }
 
 
-def _scattered(axes: Axes, study: Study, each: Shown) -> None:
-    """A number over the parameter that ranks it most."""
+def _scattered(axes: Axes, study: Study, number: Shown) -> None:
+    """Scatter a number over the parameter with which it has the largest rank correlation."""
     from scipy.stats import rankdata
 
     design = study.design
     labels = [design.labels(k) for k in range(design.count)]
-    known = np.isfinite(each.values)
+    finite = np.isfinite(number.values)
 
     def ranked(of: Parameter) -> float:
-        x = abscissa(of, [own[of.path] for own in labels])[known]
+        x = abscissa(of, [row[of.path] for row in labels])[finite]
         if np.ptp(x) == 0.0:
             return 0.0
-        return abs(float(np.corrcoef(rankdata(x), rankdata(each.values[known]))[0, 1]))
+        return abs(float(np.corrcoef(rankdata(x), rankdata(number.values[finite]))[0, 1]))
 
-    of = max(design.parameters, key=ranked) if known.sum() > 2 else design.parameters[0]
-    axes.plot(abscissa(of, [own[of.path] for own in labels]), each.values, "o", ms=2.5, color=BLUE)
+    of = max(design.parameters, key=ranked) if finite.sum() > 2 else design.parameters[0]
+    axes.plot(
+        abscissa(of, [row[of.path] for row in labels]), number.values, "o", ms=2.5, color=BLUE
+    )
     axes.set_xlabel(broken(of.heading, 32), fontsize=FONT_SIZE - 1.5)
     word_ticks(axes, of)
     axes.margins(*ROOM)
 
 
 def word_ticks(axes: Axes, of: Parameter) -> None:
-    """Name the ticks of a parameter without numbers; those of whole numbers are whole."""
+    """Label the ticks of a parameter of words by these; put those of an integer at integers."""
     if of.numeric and len(of.values) and isinstance(of.values[0], int):
         from matplotlib.ticker import MaxNLocator
 
@@ -241,19 +245,19 @@ def word_ticks(axes: Axes, of: Parameter) -> None:
         axes.set_xticks(range(len(words)), [shortened(str(w), 14) for w in words])
 
 
-def _panel(axes: Axes, study: Study, each: Shown) -> None:
-    """A number of a grid over the first parameter: a colour for each value of the second, dashes
-    for each combination of the others."""
+def _panel(axes: Axes, study: Study, number: Shown) -> None:
+    """Plot a number of a grid over the first parameter, with a colour for each value of the second
+    and dashes for each combination of the others."""
     design = study.design
     first, *others = design.parameters
     x = abscissa(first, [design.labels(k)[first.path] for k in range(design.count)])
-    grid = each.values.reshape(*design.shape[:2], -1) if others else each.values[:, None, None]
-    along = x.reshape(*design.shape[:2], -1)[:, 0, 0] if others else x
+    grid = number.values.reshape(*design.shape[:2], -1) if others else number.values[:, None, None]
+    abscissae = x.reshape(*design.shape[:2], -1)[:, 0, 0] if others else x
     count = grid.shape[1]
     for k, j in np.ndindex(grid.shape[1:]):
         sign = k if len(others) < 2 else j * (grid.shape[2] <= FEW)
-        look = _look(k if count <= FEW else 0, sign)
-        axes.plot(along, grid[:, k, j], **(look if first.numeric else {**look, "ls": "none"}))
+        style = _look(k if count <= FEW else 0, sign)
+        axes.plot(abscissae, grid[:, k, j], **(style if first.numeric else {**style, "ls": "none"}))
     word_ticks(axes, first)
     axes.margins(*ROOM)
 
@@ -264,7 +268,7 @@ def _word(of: Parameter, place: int) -> str:
 
 
 def abscissa(of: Parameter, labels: Sequence[Any]) -> Array:
-    """Coordinates (points,) of a parameter in its usual unit; places of words among all."""
+    """Abscissae (points,) of a parameter: numbers in its usual unit; indices of distinct words."""
     if of.numeric:
         return np.array([of.displayed(label) for label in labels])
     kinds = [*dict.fromkeys(of.labels)]
@@ -272,10 +276,12 @@ def abscissa(of: Parameter, labels: Sequence[Any]) -> Array:
 
 
 def _parallel_coordinates(study: Study, shown: list[Shown]) -> Figure:
-    """Every point as a line over parameters and numbers, its colour by the last number."""
+    """Draw every point as a line across parameters and numbers, coloured by the last number."""
     design = study.design
     labels = [design.labels(k) for k in range(design.count)]
-    axes_of = [(p.heading, abscissa(p, [own[p.path] for own in labels])) for p in design.parameters]
+    axes_of = [
+        (p.heading, abscissa(p, [point[p.path] for point in labels])) for p in design.parameters
+    ]
     words = {
         k: [*dict.fromkeys(p.labels)] for k, p in enumerate(design.parameters) if not p.numeric
     }
@@ -285,16 +291,16 @@ def _parallel_coordinates(study: Study, shown: list[Shown]) -> Figure:
     axes = add_axes(figure, (16.0, 34.0, 136.0, 52.0))
     from matplotlib import colormaps
 
-    rule = axes_of[-1][1]
+    colour_values = axes_of[-1][1]
     shares = np.column_stack([_share(values) for _, values in axes_of])
-    for row, share in zip(shares, _share(rule), strict=True):
+    for row, share in zip(shares, _share(colour_values), strict=True):
         known = np.isfinite(share)
         colour = colormaps["viridis"](share) if known else GREY
         axes.plot(range(len(axes_of)), row, lw=0.7, alpha=0.7, color=colour)
     room = min(int(136.0 / max(len(axes_of) - 1, 1) / LETTER) - 1, WIDEST)
-    level = room >= SHORTEST
-    names = [_lines(heading, room if level else 30) for heading, _ in axes_of]
-    axes.set_xticks(range(len(axes_of)), names, rotation=0 if level else 90)
+    horizontal = room >= SHORTEST
+    names = [_lines(heading, room if horizontal else 30) for heading, _ in axes_of]
+    axes.set_xticks(range(len(axes_of)), names, rotation=0 if horizontal else 90)
     axes.tick_params(axis="x", labelsize=FONT_SIZE - 1.5, pad=10.0, length=0.0)
     axes.set_yticks([])
     axes.set_ylim(-0.04, 1.04)
@@ -308,7 +314,7 @@ def _parallel_coordinates(study: Study, shown: list[Shown]) -> Figure:
 
 
 def _lines(heading: str, longest: int) -> str:
-    """A heading in lines, broken between words and behind the dots of a path."""
+    """Wrap a heading between words and after the dots of a path."""
     return "\n".join(
         broken(line, longest)
         for line in textwrap.wrap(heading, longest, break_long_words=False, break_on_hyphens=False)
@@ -316,7 +322,7 @@ def _lines(heading: str, longest: int) -> str:
 
 
 def _share(values: Array) -> Array:
-    """Values as shares of the way from the lowest (0) to the highest (1)."""
-    known = values[np.isfinite(values)]
-    low, span = known.min(), np.ptp(known)
+    """Scale values linearly so that the lowest becomes 0 and the highest 1."""
+    finite = values[np.isfinite(values)]
+    low, span = finite.min(), np.ptp(finite)
     return (values - low) / span if span else np.full_like(values, 0.5)

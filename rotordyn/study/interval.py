@@ -1,8 +1,8 @@
 """The range of every headline number and curve over what is uncertain of a case.
 
-Hypotheses are combined, each combination solved as a machine of its own. Of tolerances each goes to
-its two ends alone, and ``quantiles`` joins the effects; two corners, where all go to their ends
-together, tell how far their sum holds. With ``samples`` machines are drawn at random instead.
+Every combination of hypotheses is solved as a machine of its own. Each tolerance is set to its two
+ends, the others nominal, and ``quantiles`` sums the effects; two corners, where all tolerances are
+off at once, check the sum. With ``samples``, machines are drawn at random instead.
 """
 
 from __future__ import annotations
@@ -27,14 +27,15 @@ from rotordyn.study.sensitivity import Derivatives, derivatives
 
 Array = NDArray[np.float64]
 Progress = Callable[[str], None]
-RULES = 0.1  # share of the range from which a tolerance rules a number
-BENT = 0.05  # of the change from end to end: how far from a straight line it is not seen
+RULES = 0.1  # share of the sum of squared effects above which a tolerance rules a number
+BENT = 0.05  # deviation from a straight line, over the change from end to end, that is neglected
 
 
 class Nominal(NamedTuple):
-    """The machine of the case as solved for its results, and at the few speeds of the others.
+    """The nominal machine: ``values`` of the case's own results, ``base`` solved at the few speeds
+    at which the other machines are solved.
 
-    Its headline numbers, then the points of all its curves, are the columns of what follows.
+    The columns of arrays here are its headline numbers, followed by the points of all its curves.
     """
 
     values: Values
@@ -42,47 +43,48 @@ class Nominal(NamedTuple):
 
     @property
     def value(self) -> Array:
-        """Every column in printed units; NaN of curves that differ by logarithms."""
+        """Nominal value of every column in printed units; NaN for curves compared by logarithm."""
         numbers = np.array([each.value for each in self.values.numbers.values()], dtype=float)
         curves = self.values.curves.values()
         parts = [np.asarray(c.y, float) * (np.nan if c.by_ratio else 1.0) for c in curves]
         return np.concatenate([numbers, *parts])
 
     def of(self, machines: Sequence[Values]) -> Array:
-        """How far machines lie from it (machines, columns); NaN where they have no such number."""
+        """Differences of machines from the nominal one (machines, columns), NaN where a number is
+        missing."""
         rows = [np.concatenate([self._numbers(each), *self._curves(each)]) for each in machines]
         return np.array(rows).reshape(len(machines), len(self.value))
 
     def _numbers(self, machine: Values) -> list[float]:
-        known, base = machine.numbers, self.base.numbers
+        numbers, base = machine.numbers, self.base.numbers
         return [
-            known[key].value - base[key].value if key in known and key in base else np.nan
+            numbers[key].value - base[key].value if key in numbers and key in base else np.nan
             for key in self.values.numbers
         ]
 
     def _curves(self, machine: Values) -> Iterator[Array]:
-        known, base = machine.curves, self.base.curves
+        curves, base = machine.curves, self.base.curves
         for key, curve in self.values.curves.items():
-            there = key in known and key in base
-            none = np.full(len(curve.x), np.nan)
-            yield difference(curve, known[key], base[key]) if there else none
+            comparable = key in curves and key in base
+            missing = np.full(len(curve.x), np.nan)
+            yield difference(curve, curves[key], base[key]) if comparable else missing
 
 
 def interval(
     case: Case, results: Mapping[str, Any], progress: Progress = lambda name: None
 ) -> Interval:
-    """How sure the ``results`` of ``case`` are, over what it says is uncertain.
+    """Range of the ``results`` of ``case`` over its uncertain parameters.
 
     Raises
     ------
-    InvalidInput : what is uncertain contradicts the case; nothing is uncertain
-    NoSolution : the nominal machine has none
+    InvalidInput : the uncertainties contradict the case, or there are none
+    NoSolution : the nominal machine has no solution
     """
     asked = asked_of(case)
     total = _count(asked, case.uncertain)
     progress(f"interval, {total} machines")
     machines = Machines(lean(case), total)
-    combined = machines.all([*asked.combinations])  # that of the case among them
+    combined = machines.all([*asked.combinations])  # the one of the case included
     nominal = Nominal(values_of(case, results), machines.values({}))
     toleranced = _toleranced(case, asked, machines, nominal)
     found = derivatives(asked, machines, nominal.values.numbers)
@@ -95,9 +97,11 @@ def _count(asked: Asked, given: Uncertain | None) -> int:
 
 
 class Toleranced(NamedTuple):
-    """Changes over tolerances (columns, 2): ``usual`` of 95 % of machines, ``worst`` of all;
-    ``effect`` (columns, sources, 2) of each alone; ``interaction`` (columns,); ``without``: how
-    many machines have no such number, which that of the case has."""
+    """Changes over the tolerances (columns, 2): ``usual`` holds 95 % of machines, ``worst`` all.
+
+    ``effect`` (columns, sources, 2): changes at both ends of each tolerance alone; ``interaction``
+    (columns,): see ``quantiles.Ranges``; ``without`` (columns,): number of machines that lack the
+    number although the nominal machine has it."""
 
     usual: Array
     worst: Array
@@ -107,69 +111,70 @@ class Toleranced(NamedTuple):
 
 
 def _toleranced(case: Case, asked: Asked, machines: Machines, nominal: Nominal) -> Toleranced:
-    given, value = asked.tolerances, nominal.value
-    if not given:
-        none, count = np.zeros((len(value), 2)), len(value)
+    tolerances, value = asked.tolerances, nominal.value
+    if not tolerances:
+        zeros, count = np.zeros((len(value), 2)), len(value)
         nothing = np.zeros((count, 0, 2)), np.full(count, np.nan), np.zeros(count, dtype=int)
-        return Toleranced(none, none, *nothing)
-    effects = _effects(given, machines, nominal)
+        return Toleranced(zeros, zeros, *nothing)
+    effects = _effects(tolerances, machines, nominal)
     ends = np.stack([each.change[[0, -1]].T for each in effects], axis=1)
-    corners = _corners(given, ends, machines, nominal) if len(given) > 1 else None
-    found = quantiles.ranges(value, effects, corners)
-    usual, worst, together = found.usual, found.worst, found.interaction
+    corners = _corners(tolerances, ends, machines, nominal) if len(tolerances) > 1 else None
+    summed = quantiles.ranges(value, effects, corners)
+    usual, worst, together = summed.usual, summed.worst, summed.interaction
     solved = [each.change for each in effects] + ([corners.change] if corners else [])
     if case.uncertain is not None and case.uncertain.samples:
-        changes = sampled(given, case.uncertain.samples, case.uncertain.seed)
-        others = machines.all(changes)
-        if all(each.sentence for each in others):
+        changes = sampled(tolerances, case.uncertain.samples, case.uncertain.seed)
+        random_machines = machines.all(changes)
+        if all(each.sentence for each in random_machines):
             machines.lost.insert(
-                0, f"all {len(others)} machines drawn, so that tolerances have no ranges"
+                0, f"all {len(random_machines)} machines drawn, so that tolerances have no ranges"
             )
-        drawn = nominal.of(others)
+        drawn = nominal.of(random_machines)
         usual, worst = _tails(drawn), _ends(drawn)
         together = np.full_like(together, np.nan)  # not needed where samples are drawn
         solved.append(drawn)
     usual, worst = (_within_solved(each, ends, np.concatenate(solved)) for each in (usual, worst))
     without = np.isnan(value + np.concatenate(solved)).sum(axis=0)
-    without[~np.isfinite(value)] = 0  # where it has no limit, changes are of nothing
-    without[(value > 0.0) & (value + usual[:, 0] <= 0.0)] += 1  # a load lost
+    without[~np.isfinite(value)] = 0  # an infinite number has no changes
+    without[(value > 0.0) & (value + usual[:, 0] <= 0.0)] += 1  # such as a load that vanishes
     return Toleranced(usual, worst, ends, together, without)
 
 
-def _within_solved(found: Array, effect: Array, solved: Array) -> Array:
-    """Changes ``found`` (columns, 2), of which an end beyond that of all machines ``solved``
-    (machines, columns) is theirs where some tolerance has an ``effect`` without a number.
+def _within_solved(changes: Array, effect: Array, solved: Array) -> Array:
+    """Limit extrapolated ranges of change (columns, 2) to the changes of machines ``solved``
+    (machines, columns).
 
-    It counts for the end to which its other effect does not lead.
+    Done where one end of a tolerance has no number (its ``effect`` is NaN), and for the end of the
+    range to which the effect of its other end does not lead.
     """
-    none, other = np.isnan(effect), effect[..., ::-1]
-    lost = [(none & ~(other * way > 0.0)).any(axis=(1, 2)) for way in (-1.0, 1.0)]
+    missing, other = np.isnan(effect), effect[..., ::-1]
+    lost = [(missing & ~(other * sign > 0.0)).any(axis=(1, 2)) for sign in (-1.0, 1.0)]
     least, most = np.fmin.reduce(solved, axis=0), np.fmax.reduce(solved, axis=0)
-    low = np.where(lost[0], np.fmax(found[:, 0], least), found[:, 0])
-    high = np.where(lost[1], np.fmin(found[:, 1], most), found[:, 1])
+    low = np.where(lost[0], np.fmax(changes[:, 0], least), changes[:, 0])
+    high = np.where(lost[1], np.fmin(changes[:, 1], most), changes[:, 1])
     return np.stack([low, high], axis=1)
 
 
 def _effects(
     given: Sequence[Tolerance], machines: Machines, nominal: Nominal
 ) -> list[quantiles.Effect]:
-    """Of each tolerance alone, from machines at its ends; from two more in between where it rules a
-    number and bends it."""
+    """Effects of each tolerance alone, from machines at its ends, and at two values in between
+    where it rules a number that is not linear in it."""
     machines.all([each.at(end) for each in given for end in (0.0, 1.0)])  # at once, and kept
     effects = [_along(each, (0.0, 1.0), machines, nominal) for each in given]
     numbers = len(nominal.values.numbers)
     ends = np.array([np.nan_to_num(each.change[[0, -1], :numbers]) for each in effects])
     share = (ends**2).max(axis=1)
     share = share / np.maximum(share.sum(axis=0), 1e-300)
-    middle = [each.nominal for each in given]
+    nominal_shares = [each.nominal for each in given]
     low, high = ends[:, 0], ends[:, 1]
-    half = np.clip(middle, quantiles.EDGE, 1.0 - quantiles.EDGE)[:, None]
-    bend = np.abs(low * (1.0 - half) + high * half)  # of the chord, at the nominal value
-    bent = bend > BENT * np.maximum(np.abs(high - low), 1e-300)
-    chosen = ((share > RULES) & bent).any(axis=1)
-    for k in np.flatnonzero(chosen).tolist():
+    half = np.clip(nominal_shares, quantiles.EDGE, 1.0 - quantiles.EDGE)[:, None]
+    deviation = np.abs(low * (1.0 - half) + high * half)  # of the chord, at the nominal value
+    nonlinear = deviation > BENT * np.maximum(np.abs(high - low), 1e-300)
+    refined = ((share > RULES) & nonlinear).any(axis=1)
+    for k in np.flatnonzero(refined).tolist():
         if not given[k].levels:
-            inner = (middle[k] / 2.0, (1.0 + middle[k]) / 2.0)
+            inner = (nominal_shares[k] / 2.0, (1.0 + nominal_shares[k]) / 2.0)
             effects[k] = _along(given[k], (0.0, *inner, 1.0), machines, nominal)
     return effects
 
@@ -177,17 +182,17 @@ def _effects(
 def _along(
     given: Tolerance, shares: Sequence[float], machines: Machines, nominal: Nominal
 ) -> quantiles.Effect:
-    """From machines at some shares of the way, and the nominal one."""
-    every = sorted({*shares, given.nominal})
-    changes = [{} if share == given.nominal else given.at(share) for share in every]
+    """Effect of a tolerance from machines at ``shares`` of its range, and the nominal one."""
+    all_shares = sorted({*shares, given.nominal})
+    changes = [{} if share == given.nominal else given.at(share) for share in all_shares]
     change = nominal.of(machines.all(changes))
-    return quantiles.Effect(np.array(every), change, given.nominal, given.levels)
+    return quantiles.Effect(np.array(all_shares), change, given.nominal, given.levels)
 
 
 def _corners(
     given: Sequence[Tolerance], ends: Array, machines: Machines, nominal: Nominal
 ) -> quantiles.Corners:
-    """Two machines of which all tolerances are off at once, the way most numbers go together."""
+    """Two machines with all tolerances off at once, in the direction common to most numbers."""
     ends = np.nan_to_num(ends[: len(nominal.values.numbers)])
     scale = np.abs(ends).max(axis=(1, 2), initial=0.0)
     scaled = ends / np.where(scale > 0.0, scale, 1.0)[:, None, None]
@@ -198,18 +203,18 @@ def _corners(
 
 
 def _together(given: Sequence[Tolerance], shares: Sequence[float]) -> dict[str, Any]:
-    """Values by path of a machine that is off by shares of all tolerances."""
+    """Values by path of a machine whose tolerances all stand at ``shares`` of their ranges."""
     pairs = zip(given, shares, strict=True)
     return {path: value for each, share in pairs for path, value in each.at(share).items()}
 
 
 def sampled(given: Sequence[Tolerance], count: int, seed: int) -> list[dict[str, Any]]:
-    """Machines drawn within tolerances, each evenly (Latin hypercube): values by path."""
+    """Values by path of machines drawn uniformly within tolerances (Latin hypercube)."""
     return [_together(given, row.tolist()) for row in latin_hypercube(count, len(given), seed)]
 
 
 def _tails(drawn: Array) -> Array:
-    """Ends of what 95 of 100 machines (machines, n) have, (n, 2)."""
+    """Percentiles (n, 2) that enclose 95 % of the drawn changes (machines, n)."""
     known = np.isfinite(drawn).any(axis=0)
     ends = np.zeros((drawn.shape[1], 2))
     half = quantiles.COVERED / 2.0
@@ -274,32 +279,35 @@ def _joined(
 
 
 def _each(nominal: Nominal, machines: Sequence[Values], moved: Array) -> Array:
-    """Numbers by combination; as they are where the machine of the case has none."""
+    """Numbers (n, combinations): nominal value plus change, or a machine's own value where the
+    nominal machine has none."""
     value = nominal.value[: moved.shape[1], None]
-    keys, none = [*nominal.values.numbers], np.nan
-    own = [[m.numbers[k].value if k in m.numbers else none for m in machines] for k in keys]
-    return np.where(np.isnan(value), np.reshape(own, (len(keys), len(machines))), value + moved.T)
+    keys, nan = [*nominal.values.numbers], np.nan
+    values = [[m.numbers[k].value if k in m.numbers else nan for m in machines] for k in keys]
+    return np.where(
+        np.isnan(value), np.reshape(values, (len(keys), len(machines))), value + moved.T
+    )
 
 
 def _limits(values: Array) -> Array:
-    """Lowest and highest of those that are numbers (n, 2)."""
+    """Lowest and highest value (n, 2), NaN ignored."""
     low, high = np.fmin.reduce(values, axis=1), np.fmax.reduce(values, axis=1)
     return np.stack([low, high], axis=1)
 
 
 def _missing(values: Array) -> NDArray[np.int64]:
-    """How many are no numbers, where some are (n,)."""
-    none = np.isnan(values)
-    return np.where(none.all(axis=1), 0, none.sum(axis=1))
+    """Number of NaN in each row (n,); 0 for rows of NaN alone."""
+    missing = np.isnan(values)
+    return np.where(missing.all(axis=1), 0, missing.sum(axis=1))
 
 
 def _ends(changes: Array) -> Array:
-    """Lowest and highest change (n, 2), that of the case itself, 0, among them."""
+    """Lowest and highest change (n, 2), with 0, that of the case itself, included."""
     return np.stack([_least(changes), -_least(-changes)], axis=1)
 
 
 def _moved(y: Array, log: NDArray[np.bool_], changes: Array) -> Array:
-    """Points of curves moved by changes, of their logarithms where ``log``."""
+    """Points of curves plus ``changes``, which are of their logarithms where ``log``."""
     changes = np.nan_to_num(changes)
     with np.errstate(over="ignore", invalid="ignore"):
         return np.where(
@@ -310,7 +318,7 @@ def _moved(y: Array, log: NDArray[np.bool_], changes: Array) -> Array:
 
 
 def _said(asked: Asked, combination: Mapping[str, Any]) -> str:
-    """A combination in a few words."""
+    """Short text of a combination of hypotheses."""
     return (
         ", ".join(f"{each.name} {combination[each.path]}" for each in asked.hypotheses)
         or "as in the case"
@@ -318,12 +326,12 @@ def _said(asked: Asked, combination: Mapping[str, Any]) -> str:
 
 
 def _numerical(key: str, results: Mapping[str, Any]) -> float:
-    """Relative error that the analysis of a number reports, NaN where it reports none, or one of
-    something else in a unit of its own."""
+    """Relative error that the analysis of a number reports; NaN where it reports none, or an error
+    with a unit."""
     result = results.get(key.partition(":")[0])
     error = getattr(result, "largest_error", getattr(result, "error", None))
-    own = declared(result).get("error") if result is not None else None
-    if own is not None and own.metadata["unit"] != "1":
+    declaration = declared(result).get("error") if result is not None else None
+    if declaration is not None and declaration.metadata["unit"] != "1":
         return np.nan
-    known = np.asarray(error, dtype=float) if error is not None else np.empty(0)
-    return float(np.nanmax(known)) if np.isfinite(known).any() else np.nan
+    errors = np.asarray(error, dtype=float) if error is not None else np.empty(0)
+    return float(np.nanmax(errors)) if np.isfinite(errors).any() else np.nan

@@ -1,4 +1,4 @@
-"""Outcomes of a study on disk as they come: a ``record``, and results kept whole as files."""
+"""Outcomes of a study on disk: a line of a ``record`` for each, and files of whole results."""
 
 from __future__ import annotations
 
@@ -21,66 +21,67 @@ JOURNAL, RESULTS = "points.jsonl", "points"
 
 
 def signature(study: Study) -> str:
-    """What two studies have in common whose points are the same."""
+    """Hash of all that decides the points and results of a study."""
     design = study.design
     shares = b"" if design.shares is None else design.shares.tobytes()
     case = replace(study.case, files=())
-    words = repr((case, design.parameters, design.sampling, study.results)).encode()
-    return hashlib.sha256(words + shares).hexdigest()
+    text = repr((case, design.parameters, design.sampling, study.results)).encode()
+    return hashlib.sha256(text + shares).hexdigest()
 
 
 class Journal:
-    """The outcomes of a study in a folder."""
+    """File of the outcomes of a study, and the files of results kept whole, in a folder."""
 
     def __init__(self, folder: Path, study: Study) -> None:
         self.folder, self.study, self._path = folder, study, folder / JOURNAL
 
     @property
     def begun(self) -> bool:
-        """Whether there is a file of it."""
+        """Whether the file exists."""
         return self._path.exists()
 
     def begin(self) -> dict[int, Outcome]:
-        """Outcomes kept so far, by the number of the point, those whose results are there; the file
-        is begun where there is none.
+        """Return the outcomes kept so far by point number; create the file where there is none.
+
+        Outcomes whose whole results are missing on disk are left to be solved again.
 
         Raises
         ------
-        InvalidInput : the folder is of another study, or of none; it cannot be written
+        InvalidInput : the folder holds another study, or something else; it cannot be written
         """
         lines = record.begun(self._path, "study", signature(self.study), "points")
         try:
-            found = dict(map(_read, lines))
+            outcomes = dict(map(_read, lines))
         except (ValueError, KeyError, TypeError, AttributeError):
             raise record.unreadable(self._path, "points") from None
-        whole = self.study.results
+        kept_whole = self.study.results
         return {
-            number: each
-            for number, each in found.items()
-            if not (whole and each.solved) or self._place(number).exists()
+            number: outcome
+            for number, outcome in outcomes.items()
+            if not (kept_whole and outcome.solved) or self._place(number).exists()
         }
 
     def add(self, outcome: Outcome) -> None:
-        """Keep an outcome; its results first, so that a line means all of it."""
+        """Append an outcome; its results are written first, so that a line implies them."""
         if outcome.results:
             self._keep(outcome)
         line = {f.name: getattr(outcome, f.name) for f in fields(outcome) if f.name != "results"}
         record.add(self._path, {"point": line.pop("number"), **line})
 
     def withdraw(self) -> None:
-        """Remove all that is kept, and the folder with it."""
+        """Remove the outcomes and the folder."""
         shutil.rmtree(self.folder / RESULTS, ignore_errors=True)
         record.withdraw(self._path)
 
     @property
     def size(self) -> int:
-        """Bytes that it takes on disk."""
+        """Bytes used on disk."""
         results = (self.folder / RESULTS).glob("*.nc")
         return sum(path.stat().st_size for path in (self._path, *results))
 
     @property
     def room(self) -> int:
-        """Bytes that its disk has left."""
+        """Bytes free on the disk."""
         return shutil.disk_usage(self.folder).free
 
     def _keep(self, outcome: Outcome) -> None:
@@ -97,7 +98,7 @@ class Journal:
         return self.folder / RESULTS / f"{number:08d}.nc"
 
     def datasets(self, outcome: Outcome) -> dict[str, xr.Dataset]:
-        """What is kept whole of a point, from memory or from disk."""
+        """Datasets kept whole of a point, from memory or from disk."""
         if outcome.results or not outcome.solved:
             return {name: dataset(each) for name, each in outcome.results.items()}
         place = self._place(outcome.number)

@@ -1,7 +1,7 @@
-"""The machines that an interval takes, solved for what has a range and nothing else.
+"""The machines of an interval, solved only for results that get a range.
 
-They are solved at few speeds: differences from the nominal machine at the same speeds are what is
-kept, and these vary slowly. What machines have in common is solved once.
+They are solved at few speeds: what counts are differences from the nominal machine at the same
+speeds, and these vary slowly. Stages that machines have in common are solved once.
 """
 
 from __future__ import annotations
@@ -24,13 +24,13 @@ from rotordyn.job.values import Values, values_of
 from rotordyn.results.headline import NONE
 from rotordyn.study.neighbours import Neighbours
 
-EVENLY = 9  # speeds, beside those that an analysis needs
+EVENLY = 9  # evenly spaced speeds, beside those that an analysis needs
 TOGETHER = 32  # machines whose preload states are solved at a time
 
 
 def lean(case: Case) -> Case:
-    """The case with its analyses asked for what has a range alone, at few of its speeds: evenly
-    from the first to the last, and next to those that an analysis needs."""
+    """Reduce a case to results that get a range and to few of its speeds: evenly spaced ones, and
+    those nearest to what an analysis needs."""
     case = certain(case)
     kept = {speed for name, spec in case.analyses.items() for speed in analysis(name).speeds(spec)}
     speeds = np.array(case.speeds)
@@ -42,8 +42,10 @@ def lean(case: Case) -> Case:
 
 @dataclass
 class Machines:
-    """Machines that differ from ``case`` by some values, so many as are ``expected``; ``lost``: why
-    some have no solution."""
+    """Machines that differ from ``case`` by some values, each solved once.
+
+    ``expected``: how many there will be; ``solved``: how many were; ``lost``: sentences on those
+    without a solution."""
 
     case: Case
     expected: int = 0
@@ -53,21 +55,21 @@ class Machines:
     _known: dict[str, Values] = field(default_factory=dict)
 
     def values(self, changes: Mapping[str, Any]) -> Values:
-        """What the machine with other values at dotted paths comes to; one without a solution has
-        no numbers."""
+        """Solve the machine with other values at dotted paths; without a solution it has no
+        numbers."""
         key, changes = self._other(changes)
         if key not in self._known:
             self._known[key] = self._solved(changes)
         return self._known[key]
 
     def _other(self, changes: Mapping[str, Any]) -> tuple[str, Mapping[str, Any]]:
-        """Those of the values that are not those of the case already, and words for them."""
-        other = {}
+        """Key of the changes, and the changes whose values differ from those of the case."""
+        differing = {}
         for path, value in changes.items():
-            found = [held for held, _ in found_at(self.case, path)]
-            if any(type(held) is not type(value) or held != value for held in found):
-                other[path] = value
-        return repr(sorted(other.items())), other
+            present = [current for current, _ in found_at(self.case, path)]
+            if any(type(current) is not type(value) or current != value for current in present):
+                differing[path] = value
+        return repr(sorted(differing.items())), differing
 
     def _solved(self, changes: Mapping[str, Any]) -> Values:
         self.solved += 1
@@ -80,24 +82,23 @@ class Machines:
             return Values(sentence=str(error))
 
     def absent(self, number: str) -> str:
-        """What is said of a headline number that some of the machines solved lack, such as `not
-        stable`."""
-        held = (each.numbers[number] for each in self._known.values() if number in each.numbers)
-        return next((each.absent for each in held if np.isnan(each.value)), NONE)
+        """Text shown for a headline number that some solved machines lack, such as `not stable`."""
+        numbers = (each.numbers[number] for each in self._known.values() if number in each.numbers)
+        return next((each.absent for each in numbers if np.isnan(each.value)), NONE)
 
     def all(self, changes: Sequence[Mapping[str, Any]]) -> list[Values]:
-        """The same of many; preload states of those that come next are solved together."""
-        found = []
+        """Solve many machines; preload states of the next ones are solved together."""
+        solutions = []
         for first in range(0, len(changes), TOGETHER):
             part = changes[first : first + TOGETHER]
             self._solve_ahead(part)
-            found += [self.values(each) for each in part]
-        return found
+            solutions += [self.values(change) for change in part]
+        return solutions
 
     def _solve_ahead(self, changes: Sequence[Mapping[str, Any]]) -> None:
         cases = []
         for key, other in map(self._other, changes):
-            with suppress(InvalidInput, BearingError):  # told where it is solved
+            with suppress(InvalidInput, BearingError):  # raised again, and kept, where it is solved
                 if key not in self._known:
                     cases.append(changed(self.case, other))
         self._neighbours.solve_ahead(cases)

@@ -1,16 +1,14 @@
-"""Machines that differ little, solved one after another in one process.
+"""Similar machines, solved one after another in one process.
 
-Stages that the next machine has in common with the last ones are not solved again, preload states
-of those that come next are solved together, and where many are to come the compiled solver of
-bearings is loaded for them.
+Stages that a machine has in common with the previous ones are not solved again, preload states of
+the next machines are solved together, and the compiled bearing solver is loaded if many follow.
 
-A check by a finer model, which takes the place of the first one where the error of that is too
-large, takes time. Machines that differ little have nearly the same error, so that one check serves
-several: the first machine of a process is checked, and if its error is at most half of what the
-accuracy allows, the nine that follow are not, or more of them the smaller it is; if it is more, the
-very next one is. Where the accuracy is beyond ``TIGHT`` every machine is checked: errors so small
-are of rounding too, and say little of others. A machine that is not checked keeps its first model,
-and its own error is not known.
+The error check by a finer model takes time (the finer model replaces the first one where the error
+is too large). Similar machines have nearly the same error, so that one check serves several: the
+first machine of a process is checked; if its error is at most half of the accuracy, the next nine
+are not, or more of them the smaller it is; otherwise the next one is checked, too. If the accuracy
+is below ``TIGHT`` every machine is checked: such small errors contain rounding and do not carry
+over. A machine that is not checked keeps its first model, and its own error is unknown.
 
 Theory: docs/theory/refinement.md.
 """
@@ -36,21 +34,21 @@ from rotordyn.scene.checks import Checks
 from rotordyn.scene.stage import Memo
 from rotordyn.scene.statics import Statics
 
-LATEST = 2  # values of a stage kept, beside the first: that of the nominal machine, if any
-SMALL = 0.5  # share of the error allowed up to which the error of a machine stands for others
-PER_CHECK = (
-    10  # so many, itself among them, where it is ``SMALL``; more in proportion to SMALL/error
-)
-MOST = 40  # of them, however small it is
-TIGHT = 1e-7  # accuracy asked for
-SAVED = 0.25  # of the time of a machine, by the compiled solver of bearings
+LATEST = 2  # values of a stage kept, beside the first one, which may be the nominal machine's
+SMALL = 0.5  # share of the allowed error, up to which the check of a machine serves others
+PER_CHECK = 10  # machines per check at an error of SMALL; more in proportion to SMALL/error
+MOST = 40  # machines per check, however small the error is
+TIGHT = 1e-7  # accuracy
+SAVED = 0.25  # share of the time of a machine that the compiled bearing solver saves
 
 
 @dataclass
 class Neighbours:
-    """``memo``: stages of machines solved so far; ``unchecked``: how many machines are left until
-    one is checked; ``fineness``: what the model of the last was made for; ``quickest``: seconds of
-    the quickest after the first, which imports."""
+    """Solver of similar machines.
+
+    ``memo``: stages of machines solved so far; ``unchecked``: number of machines until the next
+    check; ``fineness``: what decided the model of the last one; ``quickest``: least seconds of a
+    machine, the first one excluded since it imports."""
 
     memo: Memo = field(default_factory=Memo)
     unchecked: int = 0
@@ -63,7 +61,7 @@ class Neighbours:
         return not self.memo.values
 
     def solve_ahead(self, cases: Sequence[Case]) -> None:
-        """Solve together what can be of machines that come next."""
+        """Solve the preload states of the next machines together, where that is possible."""
         machines = [
             Statics(case.spindle, case.conditions, np.array(case.speeds), self.memo)
             for case in cases
@@ -75,9 +73,9 @@ class Neighbours:
     def solve(
         self, case: Case, *, checked: bool = False, further: int = 0
     ) -> tuple[Answers, float | None]:
-        """The answers to a case, and their largest error as a share of that allowed; None if the
-        machine is not checked. ``checked``: check it whatever the last ones showed; ``further``:
-        how many are to come.
+        """Solve a case; return its answers and their largest error over the allowed one, None if
+        not checked. ``checked``: check it whatever the previous ones showed; ``further``: number of
+        machines still to come.
 
         Raises
         ------
@@ -110,8 +108,8 @@ class Neighbours:
 
 
 def _fineness(case: Case) -> tuple[Any, ...]:
-    """What is asked of the model of a case: another one is checked again."""
+    """All that decides the model of a case; a check holds only for machines with the same."""
     conditions = case.conditions
     bands = [getattr(spec, "max_frequency", None) for spec in case.analyses.values()]
-    asked = conditions.accuracy, conditions.element_length, conditions.rotor
-    return (*asked, conditions.formulation, case.speeds, *bands)
+    required = conditions.accuracy, conditions.element_length, conditions.rotor
+    return (*required, conditions.formulation, case.speeds, *bands)

@@ -1,4 +1,4 @@
-"""The folder of a run, a study, an optimum or an identification as one HTML page."""
+"""One HTML page of the folder of a run, a study, an optimum or an identification."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ MOST_REASONS = 12
 
 
 class StudyFolder(NamedTuple):
-    """What is read of the folder of a study; ``origin``: rows of a table, name and value."""
+    """Content of the folder of a study; ``origin``: rows of a table, name and value."""
 
     title: str
     summary: str
@@ -54,7 +54,8 @@ def write_report(folder: str | Path, path: str | Path) -> Path:
 
     Raises
     ------
-    InvalidInput : no results folder, half of one, one of another version; no file can be written
+    InvalidInput : not a results folder, an incomplete one, or one of another version; the file
+        cannot be written
     """
     from rotordyn.study.identification.page import FILES, identification_page
 
@@ -107,48 +108,50 @@ def _read(folder: Path) -> StudyFolder:
 
 
 def _is_number(column: Column) -> bool:
-    """Whether it is a headline number, led by its analysis, and not what was varied."""
+    """Whether a column is a headline number, whose heading begins with an analysis."""
     return column.heading.partition(OF_RESULTS)[0] in names()
 
 
-def _study_page(held: StudyFolder) -> Page:
-    count, lost = len(held.sentences.words), sum(map(bool, held.sentences.words))
-    warned = sum(map(bool, held.warnings.words))
-    said = f"{'✕' if lost == count else '⚠' if lost or warned else '✓'} {count} points"
-    said += f", {lost} of them with no solution at some or all speeds" if lost else ", all solved"
-    said += f"; {warned} with warnings." if warned else "; no warnings."
+def _study_page(study: StudyFolder) -> Page:
+    count, lost = len(study.sentences.words), sum(map(bool, study.sentences.words))
+    warned = sum(map(bool, study.warnings.words))
+    verdict = f"{'✕' if lost == count else '⚠' if lost or warned else '✓'} {count} points"
+    verdict += (
+        f", {lost} of them with no solution at some or all speeds" if lost else ", all solved"
+    )
+    verdict += f"; {warned} with warnings." if warned else "; no warnings."
     return Page(
-        title=held.title,
-        about=["Study: one case at many points", held.origin[1][1]],
-        verdict=said,
+        title=study.title,
+        about=["Study: one case at many points", study.origin[1][1]],
+        verdict=verdict,
         grave=lost == count,
-        sections=sections([*_blocks(held)]),
-        footer=f"{held.origin[0][1]}. {held.origin[1][1]}",
+        sections=sections([*_blocks(study)]),
+        footer=f"{study.origin[0][1]}. {study.origin[1][1]}",
     )
 
 
-def _blocks(held: StudyFolder) -> Iterator[tuple[str, Block]]:
-    for title, column in (("Not solved", held.sentences), ("Warnings", held.warnings)):
-        if said := [*_counted(column.words)]:
-            yield "Verdict", Text(said, listed=True, title=title)
-    yield "Verdict", Printed("Summary", held.summary)
-    yield "What was varied", varied_table("What was varied", held.varied)
-    shown = [each for each in held.numbers if each.moves]
+def _blocks(study: StudyFolder) -> Iterator[tuple[str, Block]]:
+    for title, column in (("Not solved", study.sentences), ("Warnings", study.warnings)):
+        if reasons := [*_counted(column.words)]:
+            yield "Verdict", Text(reasons, listed=True, title=title)
+    yield "Verdict", Printed("Summary", study.summary)
+    yield "What was varied", varied_table("What was varied", study.varied)
+    shown = [each for each in study.numbers if each.moves]
     if shown:
-        first = next((k for k, each in enumerate(held.varied) if not each.kinds), 0)
-        groups, start = [plain_group(len(held.point.words))], (first, len(held.varied))
-        yield "Trade-off", scatter(held.varied, shown, groups, start)
-        yield "Points across", parallel_coordinates("Points across", held.varied, shown)
+        first = next((k for k, each in enumerate(study.varied) if not each.kinds), 0)
+        groups, start = [plain_group(len(study.point.words))], (first, len(study.varied))
+        yield "Trade-off", scatter(study.varied, shown, groups, start)
+        yield "Points across", parallel_coordinates("Points across", study.varied, shown)
     else:
         yield "Trade-off", Text(["No number changes over what was varied."])
-    columns = [held.point, *held.varied, *held.numbers, held.sentences]
+    columns = [study.point, *study.varied, *study.numbers, study.sentences]
     yield "Points", table_of("Points", columns, TABLE)
-    yield "Origin", Table("Origin", ("", ""), held.origin)
+    yield "Origin", Table("Origin", ("", ""), study.origin)
 
 
 def _counted(cells: Sequence[str]) -> Iterator[str]:
-    """Each kind of sentence once, with how many points have it."""
-    found = alike(cell.split(" | ") if cell else () for cell in cells)
-    yield from (f"{points}: {sentence}" for points, sentence in found[:MOST_REASONS])
-    if len(found) > MOST_REASONS:
-        yield f"{len(found) - MOST_REASONS} more kinds, listed in {TABLE}"
+    """Yield each kind of sentence once, with the number of points that have it."""
+    kinds = alike(cell.split(" | ") if cell else () for cell in cells)
+    yield from (f"{points}: {sentence}" for points, sentence in kinds[:MOST_REASONS])
+    if len(kinds) > MOST_REASONS:
+        yield f"{len(kinds) - MOST_REASONS} more kinds, listed in {TABLE}"

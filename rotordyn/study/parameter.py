@@ -1,4 +1,4 @@
-"""What a study varies: the value at a dotted path of a case, and what it may be there."""
+"""Parameters of a study: dotted paths of a case, and the values that they take."""
 
 from __future__ import annotations
 
@@ -21,15 +21,15 @@ from rotordyn.field import Refused, accept, kinds_of, shown
 from rotordyn.quantity import Quantity
 from rotordyn.units import KINDS, parse_unit
 
-RESOLVED = 1e-14  # relative distance of numbers that 15 digits tell apart
-LONGEST = 60  # characters of a row as a coordinate
+RESOLVED = 1e-14  # relative distance from which 15 digits distinguish two numbers
+LONGEST = 60  # characters of a list of values as a coordinate
 
 
 @dataclass(frozen=True, slots=True)
 class Span:
     """Numbers from ``low`` to ``high``, in SI units or text with a unit.
 
-    ``count``: how many a grid takes, both ends included; ``log``: evenly by ratio.
+    ``count``: number of values in a grid, both ends included; ``log``: spaced by equal ratios.
     """
 
     low: float | str
@@ -40,8 +40,8 @@ class Span:
 
 @dataclass(frozen=True, slots=True)
 class Spread(Sequence[Any]):
-    """Numbers from ``low`` to ``high``, evenly, or by ratio: to 15 digits, each when it is asked
-    for."""
+    """Sequence of ``points`` numbers from ``low`` to ``high``, spaced evenly or by equal ratios
+    (``log``), computed on access and rounded to 15 digits."""
 
     low: float
     high: float
@@ -59,26 +59,26 @@ class Spread(Sequence[Any]):
 
     @property
     def resolved(self) -> bool:
-        """Whether 15 digits tell neighbours apart."""
+        """Whether 15 digits distinguish adjacent numbers."""
         if self.log:
-            apart = math.log(self.high / self.low)
+            distance = math.log(self.high / self.low)
         else:
-            apart = (self.high - self.low) / max(abs(self.low), abs(self.high))
-        return apart / (self.points - 1) > RESOLVED
+            distance = (self.high - self.low) / max(abs(self.low), abs(self.high))
+        return distance / (self.points - 1) > RESOLVED
 
 
 def _between(low: float, high: float, share: float, *, log: bool) -> float:
-    """The number at a ``share`` of the way, evenly or by ratio."""
+    """Interpolate from ``low`` (share 0) to ``high`` (share 1), linearly or by ratio."""
     return low * (high / low) ** share if log else low + share * (high - low)
 
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """What is varied at ``path``: ``values`` one after the other, as ``vary`` takes them, or any
-    number between ``ends``.
+    """A parameter at a dotted ``path``: listed ``values``, as ``vary`` takes them, or any number
+    between ``ends``.
 
-    ``labels``: the values as coordinates, numbers in SI units or words; ``quantity`` of numbers
-    that have one. ``whole``: integers alone; ``log``: sampled evenly by ratio.
+    ``labels``: the values as coordinates, numbers in SI units or words; ``quantity``: that of
+    numbers with a dimension. ``whole``: only integers; ``log``: sampled by equal ratios.
     """
 
     path: str
@@ -96,14 +96,14 @@ class Parameter:
 
     @property
     def unit(self) -> str:
-        """SI unit of its numbers; empty without a dimension."""
+        """SI unit of the numbers; empty without a dimension."""
         if self.quantity is None or not self.numeric:
             return ""
         return next((u for u in KINDS[self.quantity.kind] if parse_unit(u).scale == 1.0), "")
 
     @property
     def display(self) -> tuple[str, float]:
-        """A usual unit for documents, and its SI value."""
+        """Usual unit for printing, and its SI value."""
         numbers = self.ends or self.labels
         if self.quantity is None or not self.numeric:
             return "", 1.0
@@ -112,18 +112,18 @@ class Parameter:
 
     @property
     def heading(self) -> str:
-        """Path and usual unit."""
+        """Path with usual unit."""
         unit = self.display[0]
         return f"{self.path} [{unit}]" if unit else self.path
 
     def displayed(self, label: Any) -> Any:
-        """A coordinate in the usual unit."""
+        """Convert a coordinate to the usual unit."""
         if not self.numeric:
             return label
         return float(f"{label / self.display[1]:.12g}")
 
     def at(self, share: float) -> Any:
-        """The value at a ``share`` in [0, 1) of the way from the first to the last."""
+        """Value at a ``share`` in [0, 1) of the range, from the first (or lowest) to the last."""
         if self.ends is None:
             return self.values[int(share * len(self.values))]
         low, high = self.ends
@@ -133,12 +133,12 @@ class Parameter:
 
 
 def parameter(case: Case, path: str, asked: object) -> Parameter:
-    """What is asked of one path, held against the case.
+    """Check the values of one path against the case.
 
     Raises
     ------
-    InvalidInput : the path leads nowhere, a value is of the wrong kind or out of range, a span that
-        holds no numbers; the sentence names the path
+    InvalidInput : the path does not exist, a value has the wrong type or is out of range, a span is
+        not of numbers; the sentence names the path
     """
     if isinstance(asked, Span):
         return _spanned(case, path, asked)
@@ -148,15 +148,15 @@ def parameter(case: Case, path: str, asked: object) -> Parameter:
         raise InvalidInput(f"{path}: the list is empty, at least one value is needed")
     kind = kind_of_model(case, path)
     values = tuple(_given(value, kind) for value in asked)
-    found = [_taken(case, path, value) for value in values]
-    pairs = zip(found, asked, strict=True)
+    accepted = [_taken(case, path, value) for value in values]
+    pairs = zip(accepted, asked, strict=True)
     labels = tuple(_label(each, word, quantity) for (each, quantity), word in pairs)
     plain = all(isinstance(each, str | float | int | np.generic) for each in asked)
-    if len(set(labels)) < len(labels) and not plain:  # words of what is no word tell little
+    if len(set(labels)) < len(labels) and not plain:  # texts of other objects may coincide
         labels = tuple(f"{label} ({k + 1})" for k, label in enumerate(labels))
-    quantity = found[0][1]
+    quantity = accepted[0][1]
     if quantity is not None and any(isinstance(label, str) for label in labels):
-        pairs = zip(labels, found, strict=True)
+        pairs = zip(labels, accepted, strict=True)
         labels = tuple(_as_word(label, value, quantity) for label, (value, _) in pairs)
     return Parameter(path, values, labels, quantity=quantity)
 
@@ -181,7 +181,7 @@ def _spanned(case: Case, path: str, span: Span) -> Parameter:
         )
     spread = Spread(*ends, span.count, span.log)
     values: Sequence[Any] = spread
-    if whole:  # as many as meet all of them, or fewer
+    if whole:  # no more points than there are integers
         most = high * math.log(high / low) + 2.0 if span.log else high - low + 1
         few = Spread(*ends, min(span.count, math.ceil(most)), span.log)
         values = tuple(sorted({round(value) for value in few}))
@@ -193,9 +193,9 @@ def _spanned(case: Case, path: str, span: Span) -> Parameter:
 
 
 def kind_of_model(case: Case, path: str) -> Any:
-    """The kind of model that a name at ``path`` means; None where names are just words."""
-    at = found_at(case, path, absent=True)
-    forms = {kind for _, declared in at for kind in kinds_of(declared)}
+    """Kind of library model that a name at ``path`` refers to; None where a text is not a name."""
+    places = found_at(case, path, absent=True)
+    forms = {kind for _, declared in places for kind in kinds_of(declared)}
     return next((name for kind, name in MODELS.items() if kind in forms), None)
 
 
@@ -206,30 +206,30 @@ def _given(value: Any, kind: Any) -> Any:
 
 
 def _taken(case: Case, path: str, value: object) -> tuple[Any, Quantity | None]:
-    """``value`` as the case keeps it, and its quantity; rules between values are not asked."""
-    found = found_at(case, path, absent=True)
-    if not found:
-        vary(case, {path: value})  # which says where the path goes astray
+    """``value`` as the case stores it, and its quantity; rules between fields are not checked."""
+    places = found_at(case, path, absent=True)
+    if not places:
+        vary(case, {path: value})  # raises with the part of the path that does not exist
         return value, None
-    declared = found[0][1]
+    declared = places[0][1]
     try:
         return accept(declared, value), quantity_of(declared)
     except Refused as refusal:
         raise InvalidInput(f"{path}{refusal.place}: {refusal.why}") from None
 
 
-def _label(kept: Any, given: object, quantity: Quantity | None) -> Any:
-    """A value as a coordinate: a number or a word; a row as it was written."""
-    if isinstance(kept, float | int) and not isinstance(kept, bool) and math.isfinite(kept):
-        return kept
+def _label(value: Any, given: object, quantity: Quantity | None) -> Any:
+    """Coordinate of a value: a number or a text; a list as it was written."""
+    if isinstance(value, float | int) and not isinstance(value, bool) and math.isfinite(value):
+        return value
     if isinstance(given, str):
         return given
-    if is_dataclass(kept):
-        return str(getattr(kept, "name", "") or type(kept).__name__)
-    if isinstance(kept, tuple) and isinstance(given, Sequence | np.ndarray):
-        words = [each if isinstance(each, str) else _written(each, quantity) for each in given]
-        return _cut(f"[{', '.join(words)}]")
-    return shown(kept)
+    if is_dataclass(value):
+        return str(getattr(value, "name", "") or type(value).__name__)
+    if isinstance(value, tuple) and isinstance(given, Sequence | np.ndarray):
+        texts = [item if isinstance(item, str) else _written(item, quantity) for item in given]
+        return _cut(f"[{', '.join(texts)}]")
+    return shown(value)
 
 
 def _written(value: Any, quantity: Quantity | None) -> str:
@@ -242,7 +242,7 @@ def _cut(text: str) -> str:
 
 
 def _as_word(label: Any, value: Any, quantity: Quantity) -> str:
-    """A number beside words, as a word."""
+    """Text of a number whose list also holds words."""
     if isinstance(label, str):
         return quantity.written(value) if value == math.inf else label
     unit = usual_unit(quantity, [label])
@@ -250,22 +250,22 @@ def _as_word(label: Any, value: Any, quantity: Quantity) -> str:
 
 
 def is_whole(value: object, least: int, most: float = math.inf) -> bool:
-    """Whether a value given in Python is a whole number between two others."""
+    """Whether a value given in Python is an integer between ``least`` and ``most``."""
     return isinstance(value, int) and not isinstance(value, bool) and least <= value <= most
 
 
 def require_whole(name: str, value: object, least: int) -> None:
-    """Refuse a value given in Python that is no whole number from ``least`` up."""
+    """Raise InvalidInput unless a value given in Python is an integer from ``least`` up."""
     if not is_whole(value, least):
         raise InvalidInput(f"{name}: given {shown(value)}; allowed: a whole number from {least} up")
 
 
 def require_each_once(found: Sequence[Parameter]) -> None:
-    """Refuse lists that hold a value twice."""
+    """Raise InvalidInput if a list holds a value twice."""
     for each in found:
         if each.ends is None and len(set(each.labels)) < len(each.labels):
-            twice = next(v for k, v in enumerate(each.labels) if v in each.labels[:k])
-            given = f"{each.displayed(twice):.12g}" if each.numeric else twice
+            repeated = next(v for k, v in enumerate(each.labels) if v in each.labels[:k])
+            given = f"{each.displayed(repeated):.12g}" if each.numeric else repeated
             words = f"{given} {each.display[0]}".rstrip()
             raise InvalidInput(
                 f"{each.path}: a value is listed twice: given {words}; allowed: once"
@@ -273,11 +273,11 @@ def require_each_once(found: Sequence[Parameter]) -> None:
 
 
 def parameters(case: Case, asked: Any) -> Iterator[Parameter]:
-    """Every path that is varied.
+    """Yield the parameter of every path that is varied.
 
     Raises
     ------
-    InvalidInput : nothing is varied, or what ``parameter`` refuses
+    InvalidInput : nothing is varied; see ``parameter``
     """
     if not isinstance(asked, Mapping) or not asked:
         raise InvalidInput("nothing is varied: map at least one dotted path to its values")

@@ -1,4 +1,4 @@
-"""One point of a study solved: its headline numbers, or why it has none."""
+"""Solve one point of a study: its headline numbers, or a sentence on why it has none."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from rotordyn.study.neighbours import Neighbours
 class Study:
     """A case, the points at which it is solved, and analyses whose ``results`` are kept whole.
 
-    ``left_out``: variants of the case, which take no part.
+    ``left_out``: names of the variants of the case, which a study ignores.
     """
 
     case: Case
@@ -36,13 +36,13 @@ class Study:
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """What a point came to.
+    """Outcome of a point.
 
-    ``numbers``: value and unit, as printed, by the name of the number; ``sentence``: why there are
-    none, or which speeds lack them; empty of a point that is solved. ``seconds``: to solve it.
-    ``error``: the largest one over what the accuracy allows, None where it was not looked for.
-    ``solved``: whether any speed has a solution, also where the analyses have no headline numbers.
-    ``results``: those that are kept whole, by the name of the analysis.
+    ``numbers``: value and unit, as printed, by name; ``sentence``: why there are none, or which
+    speeds lack them; empty if the point is solved. ``seconds``: time to solve it. ``error``:
+    largest estimated error over the allowed one, None if not estimated. ``solved``: whether any
+    speed has a solution, also where the analyses have no headline numbers. ``results``: results
+    kept whole, by analysis.
     """
 
     number: int
@@ -56,26 +56,25 @@ class Outcome:
 
 
 def solve_points(packed: bytes, numbers: Sequence[int], points: int = 1) -> list[Outcome]:
-    """Solve some points of a pickled study in whatever process this is, of so many that it will
-    solve.
+    """Solve points ``numbers`` of a pickled study in this process; ``points``: how many it will
+    solve in all.
 
-    What the last points of the process have in common with these is not solved again, and what can
-    be solved of several together is; where there are many, the compiled solver of bearings is
-    loaded for them.
+    Stages in common with the previous points of the process are not solved again, preload states of
+    several points are solved together, and for many points the compiled bearing solver is loaded.
     """
     study, neighbours = _unpacked(packed)
     begin = time.perf_counter()
     cases = [_case(study, number) for number in numbers]
     neighbours.solve_ahead([case for case in cases if isinstance(case, Case)])
-    each = (time.perf_counter() - begin) / len(numbers)
+    seconds = (time.perf_counter() - begin) / len(numbers)
     return [
-        _solved(study, number, case, neighbours, points, each)
+        _solved(study, number, case, neighbours, points, seconds)
         for number, case in zip(numbers, cases, strict=True)
     ]
 
 
 def _case(study: Study, number: int) -> Case | Exception:
-    """The case of a point, or why its values contradict one another."""
+    """The case of a point, or the error if its values contradict one another."""
     try:
         case = changed(study.case, study.design.point(number))
         return _numbers_alone(case, study.results) if _varies_analyses(study) else case
@@ -91,15 +90,15 @@ def _solved(
     points: int,
     spent: float,
 ) -> Outcome:
-    """What a case comes to after its neighbours, of so many; ``spent``: seconds before."""
+    """Outcome of a case solved after its ``neighbours``; ``spent``: seconds spent on it before."""
     begin = time.perf_counter()
     try:
         if isinstance(case, Exception):
             raise case
-        found = _outcome(study, number, case, neighbours, points)
+        outcome = _outcome(study, number, case, neighbours, points)
     except (InvalidInput, BearingError, NoSolution) as error:
-        found = Outcome(number, sentence=str(error), solved=False)
-    return replace(found, seconds=spent + time.perf_counter() - begin)
+        outcome = Outcome(number, sentence=str(error), solved=False)
+    return replace(outcome, seconds=spent + time.perf_counter() - begin)
 
 
 def _outcome(study: Study, number: int, case: Case, neighbours: Neighbours, points: int) -> Outcome:
@@ -118,7 +117,7 @@ def _outcome(study: Study, number: int, case: Case, neighbours: Neighbours, poin
 
 
 def _numbers_alone(case: Case, whole: Sequence[str]) -> Case:
-    """The case asked for numbers alone, but for analyses whose results are kept ``whole``."""
+    """Reduce a case to headline numbers, but for analyses whose results are kept ``whole``."""
     specs = {
         name: spec if name in whole else analysis(name).lean(spec)
         for name, spec in case.analyses.items()
@@ -127,7 +126,7 @@ def _numbers_alone(case: Case, whole: Sequence[str]) -> Case:
 
 
 def _varies_analyses(study: Study) -> bool:
-    """Whether what is asked differs from point to point."""
+    """Whether a parameter belongs to an analysis, so that its spec differs between points."""
     return any(each.path.split(".")[0] == "analyses" for each in study.design.parameters)
 
 

@@ -1,7 +1,7 @@
-"""Processes that work side by side, each at the far end of a pipe of its own.
+"""Worker processes, each at the end of its own pipe.
 
-They share neither a queue nor a lock that one which is killed could leave half written or held: its
-pipe ends with it, wherever it was, and with that the wait for it. Idle ones stay for a while, with
+They share neither a queue nor a lock, which a killed process could leave half written or locked:
+its pipe closes with it, and so does the wait for its answer. Idle processes stay for a while, with
 what they have imported and solved.
 """
 
@@ -21,7 +21,7 @@ from typing import Any
 from rotordyn.errors import RotordynError
 from rotordyn.numerics import threads
 
-ATTEMPTS = 3  # at a call whose process was killed
+ATTEMPTS = 3  # attempts at a call whose process was killed
 IDLE = 300.0  # s that a process waits for its next call
 ALONE = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
 Call = tuple[Callable[..., Any], tuple[Any, ...]]
@@ -32,7 +32,7 @@ class Killed(Exception):
 
 
 class Process:
-    """A process, and the near end of its pipe."""
+    """A worker process and this end of its pipe."""
 
     def __init__(self) -> None:
         from joblib.externals.loky.backend import get_context
@@ -46,12 +46,12 @@ class Process:
             far.close()  # no copy outlives the process
 
     def begin(self, call: Call, count: int) -> None:
-        """Have it make a call, as one of ``count`` processes."""
-        with suppress(OSError):  # of one that was killed: ``result`` says so
+        """Send a call to the process, which is one of ``count``."""
+        with suppress(OSError):  # the process was killed: ``result`` raises
             self.pipe.send_bytes(pickle.dumps((count, *call)))
 
     def result(self) -> tuple[bool, Any]:
-        """Whether the call has succeeded, and what it returned or raised."""
+        """Wait for the answer: whether the call succeeded, and what it returned or raised."""
         try:
             answer: tuple[bool, Any] = pickle.loads(self.pipe.recv_bytes())
         except (EOFError, OSError):
@@ -60,7 +60,7 @@ class Process:
         return answer
 
     def end(self) -> None:
-        """Kill it."""
+        """Kill the process."""
         self._process.terminate()
         self._process.join()
         self.pipe.close()
@@ -70,13 +70,13 @@ _idle: list[Process] = []
 
 
 def start(count: int) -> None:
-    """Have so many processes ready to solve points; none where one is enough."""
+    """Start ``count`` processes in advance; none if one is enough, as this one will do."""
     if count > 1:
         _idle.extend(Process() for _ in range(count - len(_idle)))
 
 
 def side_by_side(count: int, calls: Iterator[Call]) -> Iterator[Any]:
-    """Results of ``calls`` as they come, from ``count`` processes; those killed are replaced.
+    """Yield results of ``calls`` as they come from ``count`` processes; replace killed ones.
 
     Raises
     ------
@@ -96,7 +96,7 @@ def side_by_side(count: int, calls: Iterator[Call]) -> Iterator[Any]:
             pipe: Any = wait([*working])[0]
             process, call, attempt = working.pop(pipe)
             try:
-                done, found = process.result()
+                done, answer = process.result()
             except Killed:
                 if attempt == ATTEMPTS:
                     raise RotordynError(
@@ -109,8 +109,8 @@ def side_by_side(count: int, calls: Iterator[Call]) -> Iterator[Any]:
             for following in islice(calls, 1):
                 begin(following)
             if not done:
-                raise found
-            yield found
+                raise answer
+            yield answer
     finally:
         for process, *_ in working.values():
             process.end()
@@ -120,7 +120,7 @@ def _ready() -> Process:
     """An idle process, or a new one."""
     while _idle:
         process = _idle.pop()
-        if not process.pipe.poll():  # nothing but its end comes unasked
+        if not process.pipe.poll():  # without a call only a closed pipe is readable
             return process
         process.end()
     return Process()
@@ -128,35 +128,35 @@ def _ready() -> Process:
 
 @contextmanager
 def _uninterrupted() -> Iterator[None]:
-    """Processes begun meanwhile hear no Ctrl-C from their first moment on: whoever asked ends them.
-    One that comes meanwhile is answered here afterwards."""
+    """Block Ctrl-C (SIGINT) in processes started inside, from their first instruction on: this
+    process ends them. A Ctrl-C that arrives meanwhile is raised here afterwards."""
     if not hasattr(signal, "pthread_sigmask"):  # Windows
         yield
         return
-    heard, usual = list[int](), signal.getsignal(signal.SIGINT)
-    deferred = usual is not None and threading.current_thread() is threading.main_thread()
+    pending, handler = list[int](), signal.getsignal(signal.SIGINT)
+    deferred = handler is not None and threading.current_thread() is threading.main_thread()
     if deferred:  # another thread may take it, and Python would stop this one
-        signal.signal(signal.SIGINT, lambda number, _: heard.append(number))
+        signal.signal(signal.SIGINT, lambda number, _: pending.append(number))
     of_loky = import_module("joblib.externals.loky.backend.resource_tracker")
     trackers: Any = resource_tracker, of_loky
-    for each in trackers:
-        each.ensure_running()  # as they start, they let Ctrl-C through again
+    for tracker in trackers:
+        tracker.ensure_running()  # as they start, they let Ctrl-C through again
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})  # what processes begin with
     try:
         yield
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
         if deferred:
-            signal.signal(signal.SIGINT, usual)
-        if heard:
+            signal.signal(signal.SIGINT, handler)
+        if pending:
             signal.raise_signal(signal.SIGINT)
 
 
 def _serve(pipe: Connection) -> None:
-    """Make calls and answer them, until the other end is closed or none has come for a while."""
+    """Execute calls and send answers, until the pipe closes or no call has come for a while."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
-    import rotordyn.scene.scene  # what solves points, while the first call is prepared
+    import rotordyn.scene.scene  # loads the solvers while the first call is being prepared
     import rotordyn.study.point  # noqa: F401
 
     with suppress(EOFError, OSError):

@@ -1,4 +1,4 @@
-"""The door for files of studies and optima: held against their case, or every fault of the file."""
+"""Read files of studies and optima and check them against their case; report every fault."""
 
 from __future__ import annotations
 
@@ -27,31 +27,31 @@ if TYPE_CHECKING:
 
 
 def read_study(path: str | Path) -> Study:
-    """The study in a YAML file.
+    """Read the study in a YAML file.
 
     Raises
     ------
     InvalidInput : faults of the file, each with its line; or those of its case
     """
     read = _opened(path, StudyFile)
-    from rotordyn.study.solve import study_of  # what a file with faults does not wait for
+    from rotordyn.study.solve import study_of  # a slow import, not needed for a file with faults
 
-    how = {
+    settings = {
         name: read.asked[name] for name in ("sampling", "samples", "seed", "analyses", "results")
     }
     try:
-        return study_of(read.case, read.varied, **how)
+        return study_of(read.case, read.varied, **settings)
     except InvalidInput as refusal:
         raise read.refused_at_its_word(refusal) from None
 
 
 def read_optimum(path: str | Path) -> tuple[Problem, dict[str, Any]]:
-    """The problem in a YAML file, and how it is searched.
+    """Read the problem in a YAML file, and the settings of its search.
 
     Raises
     ------
     InvalidInput : faults of the file, each with its line; or those of its case
-    NoSolution : the case as it stands has none
+    NoSolution : the case itself has no solution
     """
     read = _opened(path, OptimumFile)
     from rotordyn.study.optimum.goals import Goal, Limit
@@ -71,15 +71,15 @@ def read_optimum(path: str | Path) -> tuple[Problem, dict[str, Any]]:
                 wishes[key].append(kind(**given))
             except InvalidInput as refusal:
                 raise read.refused((key, k), str(refusal)) from None
-    try:  # sentences on a goal or limit quote what it reads, which finds its line
+    try:  # a sentence on a goal or limit quotes its number, by which its line is entries
         problem = problem_of(read.case, read.varied, wishes["goals"], wishes["limits"])
         as_it_stands(problem)
     except InvalidInput as refusal:
         limits_alone = str(refusal).startswith("limit of")
         places = [
             (key, k)
-            for key, found in wishes.items()
-            for k, each in enumerate(found)
+            for key, entries in wishes.items()
+            for k, each in enumerate(entries)
             if shown(each.criterion.of) in str(refusal) and not (limits_alone and key == "goals")
         ]
         if places:
@@ -89,7 +89,7 @@ def read_optimum(path: str | Path) -> tuple[Problem, dict[str, Any]]:
 
 
 def _in_words(bound: Any) -> Any:
-    """A number of a file as text, which needs a unit where what is read has one."""
+    """Turn numbers of a file into text, so that they need a unit where the quantity has one."""
     if isinstance(bound, list):
         return [_in_words(each) for each in bound]
     return str(bound) if isinstance(bound, float | int) else bound
@@ -97,7 +97,7 @@ def _in_words(bound: Any) -> Any:
 
 @dataclass(frozen=True)
 class _Opened:
-    """A file of a study or an optimum without faults so far."""
+    """File of a study or an optimum that has passed the first checks."""
 
     root: Node
     asked: dict[str, Any]
@@ -105,13 +105,13 @@ class _Opened:
     varied: dict[str, object]
 
     def refused(self, at: tuple[Any, ...], why: str) -> InvalidInput:
-        """A fault at a place of the file."""
+        """Return the error for a fault at a place of the file."""
         faults = Faults()
         faults.at(self.root.at(*at), why)
         return InvalidInput(faults.reported)
 
     def refused_at_its_word(self, refusal: InvalidInput) -> InvalidInput:
-        """The same at the key or path with which a sentence begins, if it does."""
+        """Return the error at the key or path with which the sentence begins, if it does."""
         word = str(refusal).partition(":")[0]
         at: tuple[str, ...] = ("vary", word) if word in self.varied else ()
         if self.root.child(word):
@@ -133,27 +133,27 @@ def _opened(path: str | Path, kind: type) -> _Opened:
 
 
 def case_of(reference: str, root: Node) -> Case:
-    """The case that a file names: another file beside it, or one that comes with rotordyn.
+    """Load the case that a file names: a file next to it, or one shipped with rotordyn.
 
     Raises
     ------
-    InvalidInput : there is none, at its key; or its own faults
+    InvalidInput : no such case (reported at its key), or faults of the case
     """
-    beside = Path(root.file).parent
-    named = beside / Path(reference).expanduser() if is_path(reference) else reference
+    folder = Path(root.file).parent
+    location = folder / Path(reference).expanduser() if is_path(reference) else reference
     try:
-        return load(named)
+        return load(location)
     except InvalidInput as refusal:
-        none = f"{named}:1:1: "
-        if (why := str(refusal).removeprefix(none)).startswith("no such file"):
+        head = f"{location}:1:1: "
+        if (reason := str(refusal).removeprefix(head)).startswith("no such file"):
             faults = Faults()
-            faults.at(root.at("case"), f"{why.rstrip()}: given '{reference}'")
+            faults.at(root.at("case"), f"{reason.rstrip()}: given '{reference}'")
             raise InvalidInput(faults.reported) from None
         raise
 
 
 def _varied(reading: Reading, case: Case, node: Node) -> dict[str, object]:
-    """Values or span of every path; faults are reported at their lines."""
+    """Read values or span of every path; faults are collected with their lines."""
     if not isinstance(node.value, dict) or not node.value:
         reading.faults.at(node, "nothing is varied: map at least one dotted path to values")
         return {}
@@ -161,18 +161,18 @@ def _varied(reading: Reading, case: Case, node: Node) -> dict[str, object]:
 
 
 def _asked(reading: Reading, case: Case, path: str, node: Node) -> object:
-    """Values or span of one path, whose ends have the unit of what stands there in the case."""
-    before = reading.faults.count
+    """Read values or span of one path; numbers take the dimension of the field of the case."""
+    faults_before = reading.faults.count
     asked: Any = None
     if isinstance(node.value, dict):
-        found = reading.fields(SpanEntry, node, annotations={"start": Any, "to": Any})
+        entry = reading.fields(SpanEntry, node, annotations={"start": Any, "to": Any})
         low, high = (value_at(reading, case, path, node.at(key)) for key in ("from", "to"))
-        log = found["spacing"] == SPACINGS[1]
-        if reading.faults.count == before:
-            asked = Span(low, high, found["points"], log)
+        log = entry["spacing"] == SPACINGS[1]
+        if reading.faults.count == faults_before:
+            asked = Span(low, high, entry["points"], log)
     elif isinstance(node.value, list):
         asked = [value_at(reading, case, path, item) for item in node.value]
-        if kind_of_model(case, path):  # their files stand beside that of the study
+        if kind_of_model(case, path):  # model files are relative to the file of the study
             beside = Path(node.file).parent
             asked = [
                 str(beside / Path(v).expanduser()) if isinstance(v, str) and is_path(v) else v
@@ -180,7 +180,7 @@ def _asked(reading: Reading, case: Case, path: str, node: Node) -> object:
             ]
     else:
         reading.faults.at(node, "a list of values is needed, or a span: {from: …, to: …}")
-    if reading.faults.count == before:
+    if reading.faults.count == faults_before:
         try:
             parameter(case, path, asked)
         except InvalidInput as refusal:
@@ -189,9 +189,9 @@ def _asked(reading: Reading, case: Case, path: str, node: Node) -> object:
 
 
 def value_at(reading: Reading, case: Case, path: str, node: Node) -> Any:
-    """A value as a file writes it: numbers that have a dimension with their unit."""
-    found = found_at(case, path, absent=True)
-    quantity = next((quantity_of(declared) for _, declared in found), None)
+    """Read a value of a file: numbers with a dimension need a unit."""
+    places = found_at(case, path, absent=True)
+    quantity = next((quantity_of(declared) for _, declared in places), None)
     if quantity is None or isinstance(node.value, dict | list):
         return node.plain()
     try:

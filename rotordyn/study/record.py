@@ -1,9 +1,9 @@
-"""Lines of JSON on disk as they come, so that a study that was stopped goes on where it was.
+"""Lines of JSON, appended to a file as results come, so that an interrupted study can resume.
 
 A line for every point of a sweep, trial of an optimum or search of an identification, in the order
-in which they were solved. The first line is the signature of the study. A line that was cut short
-by a kill stands last and is cut away. Floats are read back bit for bit; those that are not finite,
-of which JSON knows none, are words.
+in which they were solved. The first line is the signature of the study. An incomplete last line,
+left by a killed process, is removed. Floats are restored bit for bit; NaN and infinities, which
+JSON lacks, are written as words.
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ WORDS = {"NaN": math.nan, "Infinity": math.inf, "-Infinity": -math.inf}
 
 @contextmanager
 def alone(folder: Path, what: str) -> Iterator[None]:
-    """Keep other processes from solving ``what`` into a folder meanwhile.
+    """Lock a folder, so that no other process solves ``what`` into it meanwhile.
 
     Raises
     ------
-    InvalidInput : another one does; the folder cannot be made
+    InvalidInput : another process has the lock; the folder cannot be created
     """
     lock = None
     try:
@@ -52,15 +52,15 @@ def alone(folder: Path, what: str) -> Iterator[None]:
 
 
 def begun(path: Path, kind: str, signature: str, what: str) -> list[dict[str, Any]]:
-    """Lines kept of this ``kind`` of study ("optimum"), ``what`` they are ("trials"); the file is
-    begun where there is none.
+    """Read the lines of a file, or create it; ``kind`` of study ("optimum"), ``what`` the lines are
+    ("trials").
 
     Raises
     ------
-    InvalidInput : it holds something else, or cannot be written
+    InvalidInput : the file holds something else, or cannot be written
     """
-    head = {kind: signature}
-    begin = json.dumps(head).encode() + b"\n"
+    header = {kind: signature}
+    first_line = json.dumps(header).encode() + b"\n"
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         if not path.is_file() and any(path.parent.iterdir()):
@@ -68,18 +68,18 @@ def begun(path: Path, kind: str, signature: str, what: str) -> list[dict[str, An
                 f"{path.parent}: is a folder with other things in it, and no {kind}: choose another"
             )
         raw = path.read_bytes() if path.is_file() else b""
-        if begin.startswith(raw):  # new, or killed before a line was kept
-            path.write_bytes(begin)
+        if first_line.startswith(raw):  # new, or killed before a line was kept
+            path.write_bytes(first_line)
             return []
-        whole = raw[: raw.rfind(b"\n") + 1]
-        first, *lines = [_numbers(json.loads(line)) for line in whole.splitlines()]
-        if first != head:
+        complete = raw[: raw.rfind(b"\n") + 1]
+        first, *lines = [_numbers(json.loads(line)) for line in complete.splitlines()]
+        if first != header:
             raise InvalidInput(
                 f"{path.parent}: holds the {what} of another {kind}: choose another folder, or "
                 "remove that one"
             )
-        if len(whole) < len(raw):
-            os.truncate(path, len(whole))
+        if len(complete) < len(raw):
+            os.truncate(path, len(complete))
     except OSError as error:
         raise InvalidInput(f"{path}: cannot be written: {error.strerror}") from None
     except (ValueError, RecursionError):
@@ -88,16 +88,16 @@ def begun(path: Path, kind: str, signature: str, what: str) -> list[dict[str, An
 
 
 def unreadable(path: Path, what: str) -> InvalidInput:
-    """That lines are not what they should be."""
+    """Return the error for lines of another format."""
     return InvalidInput(f"{path}: is no record of {what}: choose another folder")
 
 
 def add(path: Path, line: Mapping[str, Any]) -> None:
-    """Write one more line.
+    """Append a line.
 
     Raises
     ------
-    InvalidInput : it cannot be written
+    InvalidInput : the file cannot be written
     """
     try:
         with path.open("a", encoding="utf-8") as file:
@@ -107,14 +107,14 @@ def add(path: Path, line: Mapping[str, Any]) -> None:
 
 
 def _words(value: Any) -> Any:
-    """A value of a line with words for what is no finite number."""
+    """Replace NaN and infinities in a value by words."""
     if isinstance(value, float) and not math.isfinite(value):
         return "NaN" if math.isnan(value) else ("Infinity" if value > 0.0 else "-Infinity")
     return _within(value, _words)
 
 
 def _numbers(value: Any) -> Any:
-    """The same read back; lines of earlier versions have no such words."""
+    """Replace the words for NaN and infinities in a value by numbers."""
     return WORDS.get(value, value) if isinstance(value, str) else _within(value, _numbers)
 
 
@@ -125,7 +125,7 @@ def _within(value: Any, each: Callable[[Any], Any]) -> Any:
 
 
 def withdraw(path: Path) -> None:
-    """Remove what was begun and holds nothing of use, with its folder where that is empty then."""
+    """Remove a file that holds no results, and its folder if that is then empty."""
     with suppress(OSError):
         path.unlink()
         path.parent.rmdir()

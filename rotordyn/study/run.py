@@ -1,4 +1,4 @@
-"""A case solved, and on request how sure its results are."""
+"""Solve a case, and on request the intervals of its results."""
 
 from __future__ import annotations
 
@@ -19,38 +19,38 @@ from rotordyn.results.interval import Interval
 def run(
     case: Case, progress: Progress = lambda name: None, *, interval: bool = False
 ) -> SolvedResults:
-    """Solve a case: every analysis that it asks for, of every variant that it compares.
+    """Solve a case: each of its analyses, for each of its variants.
 
-    ``progress`` is called with the name of each analysis as it begins, and of a long one with how
-    far it is. ``interval``: solve it over what is uncertain of it, too; what ``uncertain`` of the
-    case says, or what is usually uncertain.
+    ``progress`` is called with the name of each analysis as it begins, and with the progress of a
+    long one. ``interval``: also solve it over its uncertain parameters, those under ``uncertain``
+    in the case, or the usual ones.
 
     Raises
     ------
     NoSolution : no speed of the case, or of any of its variants, has a physical solution
-    InvalidInput : what is uncertain contradicts the case
+    InvalidInput : the uncertainties contradict the case
     """
     if not interval:
         return job.run(case, progress)
     from rotordyn.study.interval import interval as interval_of
 
     if isinstance(case, Case):
-        every = [asked_of(each) for each in case.variants.values() or (case,)]
-        if not any(each.hypotheses or each.tolerances or each.steps for each in every):
+        uncertainties = [asked_of(each) for each in case.variants.values() or (case,)]
+        if not any(each.hypotheses or each.tolerances or each.steps for each in uncertainties):
             raise InvalidInput(
                 "interval: nothing that is uncertain changes this case: name hypotheses or "
                 "tolerances of what it gives"
             )
     solution = job.run(case, progress).solution
-    held: dict[str, Interval] = {}
+    intervals: dict[str, Interval] = {}
     try:
         if solution.stop is not None:
             raise solution.stop
         for name, (part, answers) in solution.parts.items():
             with heeding_stops():
-                held[name] = interval_of(part, answers.results, progress)
+                intervals[name] = interval_of(part, answers.results, progress)
     except STOPS as stop:
         if not keeps_finished():
             raise
         solution = replace(solution, stop=stop, missing=(*solution.missing, "interval"))
-    return SolvedResults(replace(solution, intervals=held))
+    return SolvedResults(replace(solution, intervals=intervals))

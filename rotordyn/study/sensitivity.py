@@ -1,7 +1,7 @@
-"""Derivatives of headline numbers by numbers of a case, one at a time.
+"""Derivatives of headline numbers with respect to parameters of a case, one at a time.
 
-``derivative`` is that by the number itself, ``elasticity`` the relative change of the result over
-that of the number, ``over_range`` the linear change over a whole range: κ of D. Noël (doctoral
+``derivative`` is the plain one, ``elasticity`` the relative change of the result over that of the
+parameter, ``over_range`` the linear change over the range of the parameter: κ of D. Noël (doctoral
 thesis, 2013, equation 3.10).
 """
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 class Derivatives(NamedTuple):
-    """By number and path (numbers, paths); NaN where there is no number, or no range."""
+    """Derivatives by number and path (numbers, paths); NaN without a number or a range."""
 
     derivative: Array
     elasticity: Array
@@ -35,7 +35,7 @@ class Derivatives(NamedTuple):
 
 
 def derivatives(asked: Asked, machines: Machines, numbers: Mapping[str, Number]) -> Derivatives:
-    """Central differences by every path asked for."""
+    """Central differences with respect to every path."""
     ranges = {each.path: each for each in asked.ranges}
     machines.all([step.at(end) for step in asked.steps for end in (0.0, 1.0)])  # at once, and kept
     columns = [_column(each, ranges.get(each.path), machines, numbers) for each in asked.steps]
@@ -59,7 +59,7 @@ def _column(
 
 @typed(InvalidInput, besides=["case"])
 def sensitivities(case: Case, paths: Iterable[str] | Mapping[str, str | None]) -> xr.Dataset:
-    """Derivatives of every headline number of ``case`` by the numbers at dotted ``paths``.
+    """Derivatives of every headline number of ``case`` with respect to numbers at dotted ``paths``.
 
     ``paths`` may map each path to the range over which its influence is stated, as a tolerance:
     ``{"spindle.sleeves.front.spring.preload": "± 10 %"}``. ``*`` moves all items together, by the
@@ -72,8 +72,8 @@ def sensitivities(case: Case, paths: Iterable[str] | Mapping[str, str | None]) -
 
     Raises
     ------
-    InvalidInput : a path that leads nowhere, to no number or to zero; a range that is no tolerance
-    NoSolution : the machine has none
+    InvalidInput : a path that does not exist, is no number or zero; a range that is no tolerance
+    NoSolution : the machine has no solution
     """
     import xarray as xr
 
@@ -90,17 +90,17 @@ def sensitivities(case: Case, paths: Iterable[str] | Mapping[str, str | None]) -
     numbers = machines.values({}).numbers
     if not numbers:
         raise InvalidInput(machines.lost[0] if machines.lost else "the case has no numbers")
-    found = derivatives(asked, machines, numbers)
+    result = derivatives(asked, machines, numbers)
     dims = ("number", "path")
     return xr.Dataset(
         {
-            "derivative": (dims, found.derivative, {"long_name": "derivative, by SI unit"}),
+            "derivative": (dims, result.derivative, {"long_name": "derivative, by SI unit"}),
             "elasticity": (
                 dims,
-                found.elasticity,
+                result.elasticity,
                 {"long_name": "relative derivative", "units": "1"},
             ),
-            "range_effect": (dims, found.over_range, {"long_name": "κ, change over the range"}),
+            "range_effect": (dims, result.over_range, {"long_name": "κ, change over the range"}),
             "nominal": ("number", [each.value for each in numbers.values()]),
             "unit": ("number", [each.unit for each in numbers.values()]),
         },

@@ -1,4 +1,4 @@
-"""A study solved: all its points, on all processors, going on where it was stopped."""
+"""Solve all points of a study, on all processors; resume an interrupted one."""
 
 from __future__ import annotations
 
@@ -31,10 +31,10 @@ if TYPE_CHECKING:
     import xarray as xr
 
 HOUR, DAY, YEAR = 3600.0, 86400.0, 365.25 * 86400.0  # s
-KEPT, HELD = 1.5, 4.0  # bytes on disk and in memory at the end, over those of points as they come
-LONG = HOUR  # that a study may take unasked
-TOGETHER, BLOCK = 32, 2.0  # points solved together, and seconds that they may take
-LOOKED = 3  # points solved before a study is called long: the first ones load what solves them
+KEPT, HELD = 1.5, 4.0  # disk and memory needed at the end, over the size of the journal
+LONG = HOUR  # longest time without `yes`
+TOGETHER, BLOCK = 32, 2.0  # largest number of points solved together, and s that they may take
+LOOKED = 3  # points solved before a study is called long: the first ones load libraries
 Progress = Callable[[int, int], None]
 
 
@@ -48,7 +48,7 @@ def study_of(
     analyses: Sequence[str] = (),
     results: Sequence[str] = (),
 ) -> Study:
-    """A study held against its case; see ``sweep``."""
+    """Build a study and check it against its case; see ``sweep``."""
     if not isinstance(case, Case):
         raise InvalidInput(f"a study takes a case, as rotordyn.load gives it; got {shown(case)}")
     _require("analyses", analyses, case)
@@ -90,11 +90,11 @@ def sweep(  # noqa: PLR0913 - all of it describes one study
     progress: Progress = lambda done, of: None,
     yes: bool = False,
 ) -> xr.Dataset:
-    """A case solved at many points of what is varied, as one Dataset of its headline numbers.
+    """Solve a case at many points and return its headline numbers as one Dataset.
 
     Parameters
     ----------
-    varied : dotted paths, as ``rotordyn.vary`` takes them, to lists of values or ``Span``
+    varied : lists of values or ``Span`` by dotted path, as ``rotordyn.vary`` takes them
     sampling : "grid" (every combination; the dimensions are the paths), "list" (the values of all
         paths in step), "latin-hypercube" or "sobol" (``samples`` points within spans and lists)
     seed : of a sample
@@ -102,7 +102,7 @@ def sweep(  # noqa: PLR0913 - all of it describes one study
     results : analyses whose whole datasets are kept too, as ``analysis: variable``
     workers : processes; as many as there are processors by default
     cluster : address of a dask scheduler that solves instead (extra ``cluster``)
-    folder : where points are kept as they are solved; the same study goes on from there
+    folder : where points are kept as they are solved; the same study resumes from there
     progress : called with the number of points solved and of all
     yes : solve it even if it takes more than an hour
 
@@ -113,8 +113,8 @@ def sweep(  # noqa: PLR0913 - all of it describes one study
 
     Raises
     ------
-    InvalidInput : a path, value or number that cannot be, before anything is solved; a folder of
-        another study; more than an hour without ``yes``; no scheduler
+    InvalidInput : an invalid path, value or number, before anything is solved; a folder of another
+        study; more than an hour without ``yes``; no scheduler
     """
     study = study_of(
         case,
@@ -137,33 +137,33 @@ def solved(
     *,
     yes: bool = False,
 ) -> tuple[xr.Dataset, dict[int, Outcome]]:
-    """The Dataset of a study and the outcome of every point; see ``sweep``."""
+    """Solve a study; return its Dataset and the outcome of every point. See ``sweep``."""
     if workers is not None:
         require_whole("workers", workers, 1)
-    count, most = study.design.count, 1 if cluster else workers or processors()
+    count, processes = study.design.count, 1 if cluster else workers or processors()
     with _place(folder) as place:
         journal = Journal(place, study)
         with record.alone(place, "points"):
             if cluster is None and count > 1 and not journal.begun:
-                start(min(most, processors(), count))
+                start(min(processes, processors(), count))
                 import xarray  # noqa: F401 - gathers the outcomes; meanwhile the processes load
-            found = journal.begin()
-            progress(len(found), count)
+            outcomes = journal.begin()
+            progress(len(outcomes), count)
             try:
-                for outcome in _outcomes(journal, found, most, cluster, yes=yes):
+                for outcome in _outcomes(journal, outcomes, processes, cluster, yes=yes):
                     journal.add(outcome)
-                    found[outcome.number] = outcome
-                    progress(len(found), count)
+                    outcomes[outcome.number] = outcome
+                    progress(len(outcomes), count)
             finally:
-                if not found:  # another study finds its folder free
+                if not outcomes:  # another study finds its folder free
                     journal.withdraw()
-        return gathered(study, found, journal.datasets), found
+        return gathered(study, outcomes, journal.datasets), outcomes
 
 
 def _outcomes(
     journal: Journal, known: Mapping[int, Outcome], workers: int, cluster: str | None, *, yes: bool
 ) -> Iterator[Outcome]:
-    """Outcomes of what is not known yet; the first ones tell how long the others take."""
+    """Yield outcomes of points not yet solved; estimate the time of all from the first ones."""
     study = journal.study
     count, begun_here = study.design.count, not known
     total = count - len(known)
@@ -173,21 +173,22 @@ def _outcomes(
     unasked = yes or (cluster is not None and count <= MOST_DRAWN)
 
     def blocks() -> Iterator[tuple[int, ...]]:
-        """The first points one by one, until it is known how long each takes; as many as before
-        where all are refused."""
-        room = total
-        while room:
-            most = int(BLOCK / pace) if pace < math.inf else looked
-            most = min(TOGETHER, room // share, most) if total - room >= LOOKED else 1
-            block = tuple(islice(left, max(1, most)))
+        """Yield blocks of points: single ones until the time per point is known; as many as were
+        solved so far while all are refused."""
+        remaining = total
+        while remaining:
+            size = int(BLOCK / pace) if pace < math.inf else looked
+            size = min(TOGETHER, remaining // share, size) if total - remaining >= LOOKED else 1
+            block = tuple(islice(left, max(1, size)))
             yield block
-            room -= len(block)
+            remaining -= len(block)
 
     def on_cluster(address: str) -> Generator[Sequence[Outcome], None, None]:
-        """The first points here where they may be too many: a cluster takes thousands at once."""
-        here = 0 if unasked else min(LOOKED, total)
-        yield from (solve_points(packed, (number,)) for number in islice(left, here))
-        yield from ((each,) for each in solved_on_cluster(packed, left, address, total - here))
+        """Solve the first points in this process if they may be too many, then all on the cluster,
+        which takes thousands at once."""
+        local = 0 if unasked else min(LOOKED, total)
+        yield from (solve_points(packed, (number,)) for number in islice(left, local))
+        yield from ((each,) for each in solved_on_cluster(packed, left, address, total - local))
 
     found: Generator[Sequence[Outcome], None, None]
     if cluster is not None:
@@ -198,16 +199,16 @@ def _outcomes(
         for block in found:
             yield from block
             solved = [outcome.seconds for outcome in block if outcome.solved]
-            if solved:  # a refusal tells of no other point
+            if solved:  # the time of a refused point says nothing of others
                 pace = max(*solved, pace / 2.0 if pace < math.inf else 0.0)
             looked += len(block)
             least = min(least, *(outcome.seconds for outcome in block))
             seconds = least * (total - looked) / workers
             if looked >= min(LOOKED, total) and seconds > LONG and not unasked:
-                told = _too_long(journal, count, total - looked, seconds, workers)
+                sentence = _too_long(journal, count, total - looked, seconds, workers)
                 if begun_here:
                     journal.withdraw()
-                raise InvalidInput(told)
+                raise InvalidInput(sentence)
 
 
 def _too_long(journal: Journal, count: int, left: int, seconds: float, workers: int) -> str:
@@ -221,7 +222,7 @@ def _too_long(journal: Journal, count: int, left: int, seconds: float, workers: 
 
 
 def _long(seconds: float) -> str:
-    """A time in hours, or in larger units where it is long."""
+    """Format a time in hours, days or years."""
     for unit, length in (("years", YEAR), ("days", DAY)):
         if seconds >= 2.0 * length:
             return f"{seconds / length:.3g} {unit}"
@@ -229,7 +230,7 @@ def _long(seconds: float) -> str:
 
 
 def _large(size: float) -> str:
-    """Bytes in words."""
+    """Format a number of bytes."""
     return f"{size / 1e12:.3g} TB" if size >= 1e12 else f"{size / 1e9:.3g} GB"
 
 

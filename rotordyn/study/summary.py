@@ -1,4 +1,4 @@
-"""A study in one screen of plain text, and as a table with a row for every point."""
+"""Summary of a study in plain text, and its table with a row for every point."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ from rotordyn.study.point import Outcome, Study
 SUMMARY, TABLE = "summary.txt", "points.csv"
 MOST_SENTENCES = 4
 NUMBER = re.compile(r"\d[\d.]*")
-STEADY = 1e-9  # relative range of a number that nothing changes
+STEADY = 1e-9  # relative range up to which a number counts as constant
 Outcomes = Mapping[int, Outcome]
 
 
 def summary(study: Study, outcomes: Outcomes) -> str:
-    """What was varied, how many points have a solution, and the range of every number."""
+    """Summary text: parameters, number of points with a solution, and range of every number."""
     design, case = study.design, study.case
     solved = [row for row in outcomes.values() if row.solved]
     shape = " × ".join(map(str, design.shape))
-    many = f"{shape} = {design.count}" if len(design.shape) > 1 else shape
-    lines = [f"{case.title or case.name}: {many} points, {len(solved)} with a solution"]
+    points = f"{shape} = {design.count}" if len(design.shape) > 1 else shape
+    lines = [f"{case.title or case.name}: {points} points, {len(solved)} with a solution"]
     lines += [part for each in design.parameters for part in wrapped(f"varied     {_values(each)}")]
     lines += without(study.left_out)
     lines += [part for line in _unsolved(outcomes) for part in wrapped(line)]
@@ -42,7 +42,7 @@ def summary(study: Study, outcomes: Outcomes) -> str:
 
 
 def without(left_out: Sequence[str]) -> list[str]:
-    """Lines that say of which variants of its case a study takes no notice."""
+    """Lines that name the variants of the case, which a study ignores."""
     if not left_out:
         return []
     names = ", ".join(left_out)
@@ -63,26 +63,27 @@ def _unsolved(outcomes: Outcomes) -> Iterator[str]:
 
 
 def reasons(sentences: Iterable[str], one: str, table: str) -> Iterator[str]:
-    """Why points (``one`` of them so called) are not solved, the most frequent reasons first."""
-    said = Counter(filter(None, sentences))
-    for sentence, times in said.most_common(MOST_SENTENCES):
+    """Yield the most frequent reasons why points (each called ``one``) are not solved."""
+    counts = Counter(filter(None, sentences))
+    for sentence, times in counts.most_common(MOST_SENTENCES):
         yield f"not solved ({times} {one}{'s' * (times > 1)}): {sentence}"
-    if len(said) > MOST_SENTENCES:
-        yield f"not solved: {len(said) - MOST_SENTENCES} more reasons, listed in {table}"
+    if len(counts) > MOST_SENTENCES:
+        yield f"not solved: {len(counts) - MOST_SENTENCES} more reasons, listed in {table}"
 
 
 def _warnings(outcomes: Outcomes) -> Iterator[str]:
-    """The most frequent ones."""
-    found = alike(row.warnings for row in outcomes.values())
-    for points, sentence in found[:MOST_SENTENCES]:
+    """Yield the most frequent warnings."""
+    kinds = alike(row.warnings for row in outcomes.values())
+    for points, sentence in kinds[:MOST_SENTENCES]:
         yield f"WARNING ({points}): {sentence}"
-    if len(found) > MOST_SENTENCES:
-        yield f"WARNING: {len(found) - MOST_SENTENCES} more kinds, listed in {TABLE}"
+    if len(kinds) > MOST_SENTENCES:
+        yield f"WARNING: {len(kinds) - MOST_SENTENCES} more kinds, listed in {TABLE}"
 
 
 def alike(said: Iterable[Iterable[str]]) -> list[tuple[str, str]]:
-    """Of what is ``said`` of every point, sentences that differ by numbers alone taken together:
-    how many points have such, and the first of them, the most frequent kind first.
+    """Group sentences that differ only in their numbers; ``said``: sentences of every point.
+
+    Returns for each group how many points have one, and its first sentence; most frequent first.
 
     >>> alike([["1 N is low", "2 N is low"], ["1 N is low"], []])
     [('2 points, such as', '1 N is low')]
@@ -91,39 +92,39 @@ def alike(said: Iterable[Iterable[str]]) -> list[tuple[str, str]]:
     for point, sentences in enumerate(said):
         for sentence in sentences:
             kinds.setdefault(NUMBER.sub("", sentence), []).append((point, sentence))
-    found = []
-    for each in kinds.values():
-        points, words = len({point for point, _ in each}), {sentence for _, sentence in each}
-        such = ", such as" if len(words) > 1 else ""
-        found.append((points, f"{points} point{'s' * (points > 1)}{such}", each[0][1]))
-    found.sort(key=lambda each: -each[0])
-    return [(counted, first) for _, counted, first in found]
+    groups = []
+    for group in kinds.values():
+        points, distinct = len({point for point, _ in group}), {sentence for _, sentence in group}
+        such = ", such as" if len(distinct) > 1 else ""
+        groups.append((points, f"{points} point{'s' * (points > 1)}{such}", group[0][1]))
+    groups.sort(key=lambda group: -group[0])
+    return [(counted, first) for _, counted, first in groups]
 
 
 def _errors(outcomes: Outcomes) -> Iterator[str]:
-    """What finer models showed where they were asked."""
-    found = [row.error for row in outcomes.values() if row.error]
-    if found:
-        points = "point" if len(found) == 1 else "points"
-        share = "more than" if max(found) > 1.0 else f"at most {100.0 * max(found):.0f} % of"
-        yield f"accuracy   errors by refinement, at {len(found)} {points}: {share} what it allows"
+    """Yield a line on the errors estimated by finer models."""
+    errors = [row.error for row in outcomes.values() if row.error]
+    if errors:
+        points = "point" if len(errors) == 1 else "points"
+        share = "more than" if max(errors) > 1.0 else f"at most {100.0 * max(errors):.0f} % of"
+        yield f"accuracy   errors by refinement, at {len(errors)} {points}: {share} what it allows"
 
 
 def names(outcomes: Outcomes) -> dict[str, str]:
-    """Every number and its unit, in order."""
+    """Unit of every headline number by name, in the order of their first occurrence."""
     return {name: unit for k in sorted(outcomes) for name, (_, unit) in outcomes[k].numbers.items()}
 
 
 def lacking(name: str, outcomes: Outcomes) -> str:
-    """At how many of the solved points there is no such number; empty where all have it."""
-    solved = [row.numbers.get(name, (math.nan,))[0] for row in outcomes.values() if row.solved]
-    none = sum(map(math.isnan, solved))
-    return f"none at {none} of {len(solved)}" if none else ""
+    """Note on how many solved points lack a number; empty if all have it."""
+    values = [row.numbers.get(name, (math.nan,))[0] for row in outcomes.values() if row.solved]
+    missing = sum(map(math.isnan, values))
+    return f"none at {missing} of {len(values)}" if missing else ""
 
 
 def _ranges(design: Design, outcomes: Outcomes) -> Iterator[tuple[str, ...]]:
-    """Of every number its ends, and at which point they are; constant ones without a place; how
-    many points have none."""
+    """Yield a row for every number: lowest and highest value, the points where they occur (none if
+    constant), and a note on points that lack it."""
     for name, unit in names(outcomes).items():
         rows = {k: row.numbers.get(name, (math.nan,))[0] for k, row in outcomes.items()}
         known = {k: value for k, value in rows.items() if not math.isnan(value)}
@@ -131,15 +132,15 @@ def _ranges(design: Design, outcomes: Outcomes) -> Iterator[tuple[str, ...]]:
             continue
         low, high = min(known, key=known.__getitem__), max(known, key=known.__getitem__)
         ends = known[low], known[high]
-        head = f"{name} [{unit}]" if unit else name
+        heading = f"{name} [{unit}]" if unit else name
         finite = [abs(end) for end in ends if math.isfinite(end)]
         digits = max(0, 3 - math.floor(math.log10(max(*finite[-1:], 1e-6, 1e-6))))
         steady = ends[0] == ends[1]
         if len(finite) > 1:
             steady = ends[1] - ends[0] <= STEADY * max(finite)
         where = ("", "") if steady else (_where(design, low), _where(design, high))
-        told = ("unbounded" if math.isinf(end) else number(end, min(digits, 6)) for end in ends)
-        yield (head, *told, *where, lacking(name, outcomes))
+        texts = ("unbounded" if math.isinf(end) else number(end, min(digits, 6)) for end in ends)
+        yield (heading, *texts, *where, lacking(name, outcomes))
 
 
 def _where(design: Design, point: int) -> str:
@@ -149,17 +150,17 @@ def _where(design: Design, point: int) -> str:
 
 
 def write_points(folder: Path, study: Study, outcomes: Outcomes) -> None:
-    """``points.csv``: what was varied, every number, why there is none, warnings."""
+    """Write ``points.csv``: parameters, every number, why a point has none, warnings."""
     design, numbers = study.design, names(outcomes)
     order = sorted(outcomes)
     labels = [design.labels(k) for k in order]
     columns: list[Column] = [("point", order)]
     for each in design.parameters:
-        columns.append((each.heading, [each.displayed(own[each.path]) for own in labels]))
+        columns.append((each.heading, [each.displayed(row[each.path]) for row in labels]))
     for name, unit in numbers.items():
         values = [outcomes[k].numbers.get(name, (math.nan,))[0] for k in order]
-        head = f"{name} [{unit}]" if unit else name
-        columns.append((head, ["" if math.isnan(v) else f"{v:.9g}" for v in values]))
+        heading = f"{name} [{unit}]" if unit else name
+        columns.append((heading, ["" if math.isnan(v) else f"{v:.9g}" for v in values]))
     columns.append(("not solved", [outcomes[k].sentence for k in order]))
     columns.append(("warnings", [" | ".join(outcomes[k].warnings) for k in order]))
     write_table(folder / TABLE, columns)

@@ -1,4 +1,4 @@
-"""Who solves the points of a study: processes of this computer, or a cluster."""
+"""Distribute the points of a study over processes of this computer, or over a cluster."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ from rotordyn.field import shown
 from rotordyn.study.point import Outcome, solve_points
 from rotordyn.study.processes import ATTEMPTS, side_by_side
 
-PATIENCE = "10s"  # for a scheduler to answer
-AHEAD = 10_000  # points that it is given at once
+PATIENCE = "10s"  # time for a scheduler to answer
+AHEAD = 10_000  # points submitted to it at once
 
 
 T = TypeVar("T")
 
 
 def pack(whole: object) -> bytes:
-    """A whole whose points are tasks, pickled with a new mark: packed twice it counts as two, and
-    processes carry nothing over from one to the other, such as when to check a model next."""
+    """Pickle a study together with a new identifier: if packed twice it counts as two studies, so
+    that processes carry no state over, such as when to check a model next."""
     return pickle.dumps((whole, uuid4().hex))
 
 
@@ -34,11 +34,11 @@ def solved_here(
     *,
     total: int | None = None,
 ) -> Generator[T, None, None]:
-    """Outcomes of ``points`` as they come, from ``workers`` processes; from this one if it is one.
+    """Yield outcomes of ``points`` as they come from ``workers`` processes (1: this one).
 
-    ``task`` solves a point of what is ``packed``, or several that are one item, of so many that a
-    process will solve. ``total``: how many points, which are taken one by one; listed ones are
-    counted.
+    ``task`` takes ``packed``, an item of ``points`` (one point, or several), and the number of
+    points that a process will solve. ``total``: number of points, taken from ``points`` one by one;
+    if None they are listed and counted.
 
     Raises
     ------
@@ -58,21 +58,21 @@ def solved_here(
 def solved_on_cluster(
     packed: bytes, points: Iterator[int], address: str, total: int
 ) -> Iterator[Outcome]:
-    """Outcomes of ``points``, ``total`` of them, as they come, from the dask cluster whose
-    scheduler has ``address``.
+    """Yield outcomes of ``total`` points as they come from the dask cluster whose scheduler has
+    ``address``.
 
-    A worker that is lost is no loss: its points are solved by another.
+    Points of a lost worker are solved by another.
 
     Raises
     ------
-    InvalidInput : no scheduler answers there
+    InvalidInput : no scheduler answers at the address
     """
     import distributed
 
     dask: Any = distributed
 
     try:
-        dask.comm.get_address_host_port(address)  # of one that is none, a client waits at its end
+        dask.comm.get_address_host_port(address)  # of an invalid address, Client would time out
         client = dask.Client(address, timeout=PATIENCE, set_as_default=False)
     except (OSError, ValueError, TimeoutError) as error:
         raise InvalidInput(
@@ -81,17 +81,17 @@ def solved_on_cluster(
         ) from None
     with client:
         share = total // max(1, sum(client.ncores().values()))
-        how = dict(packed=packed, points=share, pure=False, retries=ATTEMPTS)
+        options = dict(packed=packed, points=share, pure=False, retries=ATTEMPTS)
 
-        def begun() -> Any:
-            return client.map(_on_cluster, [*islice(points, AHEAD)], **how)
+        def submitted() -> Any:
+            return client.map(_on_cluster, [*islice(points, AHEAD)], **options)
 
-        running = dask.as_completed(begun(), with_results=True, loop=client.loop)
-        for future, found in running:
+        running = dask.as_completed(submitted(), with_results=True, loop=client.loop)
+        for future, outcome in running:
             future.release()
-            yield found
+            yield outcome
             if running.count() < AHEAD // 2:
-                running.update(begun())
+                running.update(submitted())
 
 
 def _on_cluster(number: int, packed: bytes, points: int) -> Outcome:

@@ -1,13 +1,13 @@
-"""Numbers of a case sought so that the machine shows what was measured, and how sure they are.
+"""Identification: values of a case with which it reproduces measurements, and their uncertainty.
 
-``measurement`` the contract of a measurement, ``along_axis``, ``responses``, ``measured_modes`` and
-``numbers`` its kinds, ``paired_modes`` modes of responses beside those of a machine, ``kinds`` what
-files say of them, ``unknown`` what is sought, ``trial`` a machine with trial values, ``weighing``
-differences without tare and drift, ``problem`` predictions and derivatives, ``search`` the best
-values, ``models`` hypotheses and phases, ``searches`` those of all models, kept on disk,
-``certainty`` how sure values are, ``profile`` the same without straight lines, ``criterion`` when a
-model suffices, ``prediction`` what it would show, ``identification`` what all that comes to,
-``solve`` the call that joins these.
+``measurement`` is the contract of a measurement; ``along_axis``, ``responses``, ``measured_modes``,
+``stop_met`` and ``numbers`` are its kinds, ``kinds`` makes them from files; ``paired_modes`` pairs
+measured modes with computed ones. ``unknown`` is what is sought, ``trial`` a machine with trial
+values, ``weighing`` weighs differences without tare and drift, ``problem`` has predictions and
+derivatives, ``search`` fits the unknowns, ``models`` holds hypotheses and phases, ``searches`` runs
+the searches of all models and keeps them on disk. ``certainty`` has linear intervals, ``profile``
+those by profile likelihood, ``criterion`` decides whether a model suffices, ``prediction`` computes
+numbers of the identified machine, ``identification`` is the result, ``solve`` the call.
 """
 
 from rotordyn.study.identification.along_axis import AxialCurve, AxialStiffness, NoLoad

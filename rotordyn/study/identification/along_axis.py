@@ -1,4 +1,4 @@
-"""Axial measurements: displacement over force on both branches, without load, and stiffness."""
+"""Axial measurements: displacement over force on both branches, over speed, and stiffness."""
 
 from __future__ import annotations
 
@@ -24,29 +24,29 @@ Array = NDArray[np.float64]
 SHAFT = "shaft"
 RPM = np.pi / 30.0
 DRAWN = 61  # forces of a branch in figures
-NEAR = 100.0  # N, either side of no load, between which stiffness is read
+NEAR = 100.0  # N, half of the force range over which a stiffness is measured
 
 
 @dataclass(frozen=True, kw_only=True)
 class Axial:
-    """What axial measurements share."""
+    """Common part of axial measurements."""
 
     name: str
     deviation: float
 
     def analyses(self, case: Case) -> Mapping[str, Any]:
-        """None: the axis is solved by itself."""
+        """No analyses: the axial problem is solved on its own."""
         return {}
 
     def speeds(self, case: Case) -> Iterator[float]:
-        """Speeds of the points, each once."""
+        """Yield the distinct speeds of the points, ascending."""
         yield from sorted(set(self._speeds()))
 
     def _speeds(self) -> list[float]:
         raise NotImplementedError
 
     def faults(self, case: Case) -> Iterator[str]:
-        """No bearings, loads across the axis, a body that is none."""
+        """Yield faults: no bearings, transverse loads, a history, heat flow, an unknown body."""
         spindle = case.spindle
         if spindle is None or not spindle.seats:
             yield f"measurement {self.name}: needs a spindle with bearings"
@@ -78,7 +78,7 @@ def _as_arrays(measurement: Any, *names: str) -> None:
 
 
 def row_at(trial: Trial, speed: float) -> int:
-    """The row of a speed [rad/s] among the axial ones of a trial."""
+    """Index of the axial speed of a trial that is nearest to a speed [rad/s]."""
     return int(np.abs(np.array(trial.axial_speeds) - speed).argmin())
 
 
@@ -94,15 +94,13 @@ def _require_speeds(name: str, speed: Array) -> None:
 class AxialCurve(Axial):
     """Displacement of ``of`` ("shaft" or a sleeve) under an axial force that falls and rises.
 
-    ``speed`` [rad/s], ``branch``, ``force`` [N] (besides that of the case) and ``displacement`` [m]
-    towards +x, from where the body stands at rest under the forces of the case, all (n,), in the
-    order in which they were measured. ``tare`` [m]: standard deviation of an offset of each speed;
-    ``drift`` [m]: of what is added evenly along the curve of each speed; infinite where nothing is
-    known, 0 for none.
-    ``lowest``, ``highest`` force of the cycle [N], by default of the points. ``when`` (n,): of the
-    way in time through the curve of its speed, from 0 to 1, by default in even steps. ``places``
-    (n,), where known: file and line of each point, which faults name. Speeds within 1 % (1 rpm
-    about rest) are one.
+    ``speed`` [rad/s], ``branch``, ``force`` [N] (added to that of the case) and ``displacement``
+    [m] towards +x, from the position at rest under the forces of the case, all (n,), in the order
+    of measurement. ``tare`` [m]: standard deviation of an offset of each speed; ``drift`` [m]: of a
+    linear drift along the curve of each speed; infinite if unknown, 0 for none. ``lowest``,
+    ``highest`` force of the cycle [N], by default of the points. ``when`` (n,): time within the
+    curve of its speed, from 0 to 1, by default evenly spaced. ``places`` (n,), if known: file and
+    line of each point, for messages. Speeds within 1 % (1 rpm about rest) are taken as one.
     """
 
     speed: Array
@@ -165,9 +163,9 @@ class AxialCurve(Axial):
                 yield speed, branch, rows
 
     def reduced(self, count: int) -> AxialCurve:
-        """The same by so many points of each branch at each speed, evenly along it.
+        """Reduce each branch at each speed to ``count`` points, evenly spaced along the curve.
 
-        InvalidInput where no branch has as many.
+        Raises InvalidInput if no branch has as many.
         """
         longest = max((len(rows) for _, _, rows in self._curves()), default=0)
         if count > longest > 0:
@@ -192,28 +190,28 @@ class AxialCurve(Axial):
 
     @property
     def _times(self) -> Array:
-        """``when`` (n,)."""
+        """Time of each point within its curve, from 0 to 1 (n,)."""
         if self.when is not None:
             return self.when
         times = np.zeros(len(self.speed))
         for speed in set(self.speed.tolist()):
-            here = self.speed == speed
-            times[here] = np.linspace(0.0, 1.0, int(here.sum()))
+            at_speed = self.speed == speed
+            times[at_speed] = np.linspace(0.0, 1.0, int(at_speed.sum()))
         return times
 
     @cached_property
     def data(self) -> Data:
-        """Every point, with tare and drift of each speed."""
+        """All points, with tare and drift of each speed."""
         columns, deviations, names = [], [], []
         for speed in sorted(set(self.speed.tolist())):
-            here = self.speed == speed
+            at_speed = self.speed == speed
             rpm = f"{speed / RPM:.0f} rpm"
             if self.tare:
-                columns.append(here.astype(float))
+                columns.append(at_speed.astype(float))
                 deviations.append(self.tare)
                 names.append(f"tare at {rpm}")
             if self.drift:
-                columns.append(np.where(here, self._times - 0.5, 0.0))
+                columns.append(np.where(at_speed, self._times - 0.5, 0.0))
                 deviations.append(self.drift)
                 names.append(f"drift at {rpm}")
         pairs = zip(self.speed, self.branch, strict=True)
@@ -234,17 +232,17 @@ class AxialCurve(Axial):
 
     @property
     def finer(self) -> AxialCurve:
-        """The same cycle at closer forces, for figures; displacements 0."""
+        """The same cycle at more forces, for figures; displacements are 0."""
         speeds: list[float] = []
         branches: list[str] = []
         forces: list[float] = []
         for speed, branch, rows in self._curves():
             if len(rows):
                 ends = self.force[rows].min(), self.force[rows].max()
-                every = np.union1d(self.force[rows], np.linspace(*ends, DRAWN))
-                speeds += [speed] * len(every)
-                branches += [branch] * len(every)
-                forces += every.tolist()[:: -1 if branch == BRANCHES[0] else 1]
+                all_forces = np.union1d(self.force[rows], np.linspace(*ends, DRAWN))
+                speeds += [speed] * len(all_forces)
+                branches += [branch] * len(all_forces)
+                forces += all_forces.tolist()[:: -1 if branch == BRANCHES[0] else 1]
         return replace(
             self,
             speed=np.array(speeds),
@@ -263,8 +261,8 @@ class AxialCurve(Axial):
         return self.of
 
     def predicted(self, trial: Trial) -> Array:
-        """Displacements of the body (n,) [m]."""
-        found = np.empty(len(self.force))
+        """Predicted displacements of the body (n,) [m]."""
+        displacements = np.empty(len(self.force))
         axial = trial.axial
         body = axial.bodies.index(self.of)
         curves = list(self._curves())
@@ -272,29 +270,29 @@ class AxialCurve(Axial):
             forces = self.force[falling], self.force[rising]
             branches = trial.cycle(row_at(trial, speed), *forces, self.lowest, self.highest)
             for rows, shifts in zip((falling, rising), branches, strict=True):
-                found[rows] = shifts[:, body]
-        return found
+                displacements[rows] = shifts[:, body]
+        return displacements
 
 
 def _along_curve(force: Array, displacement: Array, count: int) -> NDArray[np.intp]:
-    """Rows of ``count`` points of a curve at equal distances along it, its ends among them.
+    """Indices of ``count`` points at equal arc lengths along a curve, its ends included.
 
-    Force and displacement count by their ranges (D. Noël, doctoral thesis, 2013, III.1.3.1).
+    Force and displacement are scaled by their ranges (D. Noël, doctoral thesis, 2013, III.1.3.1).
     """
     if len(force) <= count:
         return np.arange(len(force))
     parts = [np.diff(each) / (np.ptp(each) or 1.0) for each in (force, displacement)]
-    way = np.concatenate([[0.0], np.cumsum(np.hypot(*parts))])
-    rows = [int(np.abs(way - at).argmin()) for at in np.linspace(0.0, way[-1], count)]
+    arc_length = np.concatenate([[0.0], np.cumsum(np.hypot(*parts))])
+    rows = [int(np.abs(arc_length - at).argmin()) for at in np.linspace(0.0, arc_length[-1], count)]
     return np.array(sorted(set(rows)))
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class NoLoad(Axial):
-    """Displacement of ``of`` from rest over ``speed`` [rad/s], without further force (n,) [m]; a
-    speed may be measured several times.
+    """Displacement (n,) [m] of ``of`` from its position at rest over ``speed`` [rad/s], without
+    additional force; a speed may be measured several times.
 
-    ``tare`` [m]: standard deviation of an offset of all points.
+    ``tare`` [m]: standard deviation of an offset common to all points.
     """
 
     speed: Array
@@ -305,16 +303,16 @@ class NoLoad(Axial):
     def __post_init__(self) -> None:
         _as_arrays(self, "speed", "displacement")
         _require_speeds(self.name, self.speed)
-        speeds, moved = len(self.speed), len(self.displacement)
-        if speeds != moved:
+        speeds, count = len(self.speed), len(self.displacement)
+        if speeds != count:
             raise InvalidInput(
-                f"measurement {self.name}: one displacement at each speed is needed, got {moved} "
+                f"measurement {self.name}: one displacement at each speed is needed, got {count} "
                 f"at {speeds} speeds"
             )
 
     @cached_property
     def data(self) -> Data:
-        """Every point, with the tare."""
+        """All points, with the tare."""
         n, tared = len(self.speed), bool(self.tare)
         return Data(
             self.name,
@@ -338,7 +336,7 @@ class NoLoad(Axial):
         return self.of
 
     def predicted(self, trial: Trial) -> Array:
-        """Displacements of the body (n,) [m]."""
+        """Predicted displacements of the body (n,) [m]."""
         body = trial.axial.bodies.index(self.of)
         rows = [row_at(trial, speed) for speed in self.speed.tolist()]
         return np.asarray(trial.axial.shift[rows, body])
@@ -346,10 +344,10 @@ class NoLoad(Axial):
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class AxialStiffness(Axial):
-    """Axial stiffness of the shaft at no load [N/m] over ``speed`` [rad/s] on one ``branch``.
+    """Axial stiffness of the shaft [N/m] over ``speed`` [rad/s] on one ``branch``.
 
-    Read between two forces ``near`` [N] either side of ``about`` [N], within a cycle from
-    ``lowest`` to ``highest`` [N].
+    Secant stiffness between the forces ``about`` − ``near`` and ``about`` + ``near`` [N], within a
+    cycle from ``lowest`` to ``highest`` [N].
     """
 
     speed: Array
@@ -387,7 +385,7 @@ class AxialStiffness(Axial):
 
     @cached_property
     def data(self) -> Data:
-        """Every point."""
+        """All points."""
         n = len(self.speed)
         return Data(
             self.name,
@@ -404,8 +402,8 @@ class AxialStiffness(Axial):
         return list(self.speed.tolist())
 
     def predicted(self, trial: Trial) -> Array:
-        """Stiffnesses (n,) [N/m]."""
-        found = []
+        """Predicted stiffnesses (n,) [N/m]."""
+        stiffnesses = []
         for speed in self.speed.tolist():
             forces = self.about + np.array([-self.near, self.near])
             row, ends = row_at(trial, speed), (self.lowest, self.highest)
@@ -413,5 +411,5 @@ class AxialStiffness(Axial):
             u = (falling if self.branch == BRANCHES[0] else rising)[:, 0]
             if u[1] == u[0]:
                 raise NoSolution("the shaft does not move under an axial force")
-            found.append(2.0 * self.near / abs(u[1] - u[0]))
-        return np.array(found)
+            stiffnesses.append(2.0 * self.near / abs(u[1] - u[0]))
+        return np.array(stiffnesses)

@@ -1,11 +1,11 @@
-"""How sure identified values are: intervals, what data cannot separate, ends that bind.
+"""Uncertainty of identified values: intervals, inseparable unknowns, binding bounds.
 
-Covariance from the derivatives at the best machine, (JᵀJ)⁻¹, with priors as rows; where residuals
-are larger than the stated noise it is scaled up by their χ² over the degrees of freedom (R. Birge,
-Phys. Rev. 40, 1932), never down. Values of the least absolute differences deviate by √(π/2) more in
-normal noise (G. Bassett and R. Koenker, J. Am. Stat. Assoc. 73, 1978), and the scale is that of the
-median of these, which outliers leave alone. Directions from the singular values of the data's rows
-alone, unknowns measured by what was known of them before.
+The covariance follows from the derivatives at the best machine, (JᵀJ)⁻¹, with priors as rows; where
+residuals exceed the stated noise it is scaled up by χ² over the degrees of freedom (R. Birge,
+Phys. Rev. 40, 1932), never down. Estimates of least absolute differences have a standard deviation
+larger by √(π/2) in normal noise (G. Bassett and R. Koenker, J. Am. Stat. Assoc. 73, 1978), and the
+scale follows from the median of the differences, which is robust against outliers. Undetermined
+directions are those of small singular values of the data's rows, unknowns scaled by their priors.
 
 Theory: docs/theory/identification.md.
 """
@@ -24,15 +24,15 @@ from rotordyn.study.identification.unknown import Sought
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 COVERED = 0.95
-BINDING = 1e-3  # of the way between ends: an unknown that near stands on one
-VAGUE = 0.5  # of what was known before: a deviation above says nothing
-BY_PRIOR = 0.9  # of the deviation of a prior: the data add nothing
-IDLE = 0.01  # of the noise, over what was known before: a change below it is none
-PART = 0.2  # of the largest part of a direction: named
-TIED = 0.95  # correlation from which two unknowns are named together
-REFUTED = 0.05  # probability of a χ² as large by the stated noise, below which that is not it
+BINDING = 1e-3  # distance from a bound over the range, up to which an unknown is on the bound
+VAGUE = 0.5  # deviation over that known before, above which an unknown is unidentifiable
+BY_PRIOR = 0.9  # deviation over that of the prior, above which the data add nothing
+IDLE = 0.01  # effect of an unknown over the noise, below which no measurement depends on it
+PART = 0.2  # component of a direction, over the largest, from which an unknown is named
+TIED = 0.95  # correlation from which two unknowns are called inseparable
+REFUTED = 0.05  # probability of a χ² as large, below which the stated noise is rejected
 QUARTILE = 0.6745  # median of absolute values of a normal distribution, over its deviation
-LOST = 1e-6  # least singular value: along one that is 0 the deviation is a million scales
+LOST = 1e-6  # least singular value: with 0 the deviation becomes a million scales
 
 IDENTIFIED = "identifiable"
 ON_A_BOUND = "on a bound"
@@ -43,16 +43,16 @@ UNFINISHED = "search not finished"
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Certainty:
-    """How sure ``values`` (p,) are: standard ``deviation`` (p,) and 95 % ``interval`` (p, 2) [SI],
-    as far as the ends of the unknowns; NaN where the search ended by its limit.
+    """Uncertainty of ``values`` (p,): standard ``deviation`` (p,), 95 % ``interval`` (p, 2) [SI],
+    limited to the bounds of the unknowns; NaN if the search ended by its limit.
 
-    ``covariance`` (p, p): each unknown over its scale, rows of those on a bound 0; ``words`` (p,):
-    verdict on each; ``singular`` values (q,) and ``directions`` (q, p) that the data do not
-    determine, softest first; ``degrees`` of freedom, ``reduced``: χ² over these; ``birge``: factor
-    of all deviations, √reduced (or the scale by absolute differences) where above 1; ``quantile``:
-    at 97.5 %, of the normal distribution where that factor is 1, of Student's t where noise as
-    stated would hardly leave such residuals, between them in between. ``idle`` (p,): which of
-    those off their bounds no measurement follows.
+    ``covariance`` (p, p): of unknowns over their scales, rows of those on a bound 0; ``words``
+    (p,): verdict on each; ``singular`` values (q,) and ``directions`` (q, p) that the data do not
+    determine, least determined first; ``degrees`` of freedom, ``reduced``: χ² over these;
+    ``birge``: factor on all deviations, √reduced (or the scale by absolute differences) if above 1;
+    ``quantile``: at 97.5 %, of the normal distribution if that factor is 1, of Student's t if the
+    stated noise is improbable, interpolated in between. ``idle`` (p,): unknowns off their bounds on
+    which no measurement depends.
     """
 
     values: Array
@@ -70,14 +70,14 @@ class Certainty:
 
     @property
     def correlation(self) -> Array:
-        """Of the unknowns (p, p), NaN where one stands on a bound."""
+        """Correlation of the unknowns (p, p), NaN for one on a bound."""
         size = np.sqrt(np.diag(self.covariance))
         with np.errstate(divide="ignore", invalid="ignore"):
             return np.asarray(self.covariance / np.outer(size, size))
 
 
 def certainty(problem: Problem, fit: Fit, *, absolute: bool = False) -> Certainty:
-    """How sure the values of a fit are, of least squares or of least ``absolute`` differences."""
+    """Uncertainty of the values of a fit, of least squares or of least ``absolute`` differences."""
     unknowns, scale = problem.unknowns, problem.scale
     free = ~on_bound(problem, fit.values)
     slopes = problem.slopes(fit.values, fit.predicted, central=True)
@@ -121,9 +121,9 @@ def certainty(problem: Problem, fit: Fit, *, absolute: bool = False) -> Certaint
 
 
 def _quantile(birge: float, degrees: int) -> float:
-    """At 97.5 %: of the normal distribution at a factor of 1, where the stated noise is taken as
-    known, and of Student's t where the probability of a χ² as large is below ``REFUTED``; between
-    these linear in that probability, so that no interval jumps."""
+    """Quantile at 97.5 %: of the normal distribution at a factor of 1, where the stated noise is
+    taken as known; of Student's t where the probability of a χ² as large is below ``REFUTED``;
+    linear in that probability in between, so that no interval jumps."""
     from scipy.stats import chi2, norm, t
 
     usual, chance = chi2.sf(degrees * np.array([1.0, birge**2]), degrees)
@@ -133,37 +133,38 @@ def _quantile(birge: float, degrees: int) -> float:
 
 
 def _by_median(problem: Problem, fit: Fit, free: Flags) -> float:
-    """Deviation of the differences over the stated noise, by the median of absolute ones; as many
-    of the smallest left out as there are ``free`` values and nuisances, which make these 0
-    (W. DuMouchel and F. O'Brien, Proc. 21st Symp. Interface, 1989)."""
+    """Robust standard deviation of the differences over the stated noise, by the median of their
+    absolute values. The smallest ones are omitted, as many as there are ``free`` values and
+    nuisances, since the fit makes as many zero (W. DuMouchel and F. O'Brien, Proc. 21st Symp.
+    Interface, 1989)."""
     pairs = zip(problem.weighings, fit.predicted, strict=True)
     sizes = np.abs(
         np.concatenate([w.anew(one).residual(one) / w.data.deviation for w, one in pairs])
     )
     zeros = int(free.sum()) + sum(len(m.data.column_names) for m in problem.measurements)
-    left = np.sort(sizes)[zeros:]
-    return float(np.median(left)) / QUARTILE if len(left) else 0.0
+    remaining = np.sort(sizes)[zeros:]
+    return float(np.median(remaining)) / QUARTILE if len(remaining) else 0.0
 
 
 def on_bound(problem: Problem, values: Array) -> Flags:
-    """Unknowns that stand on one of their ends (p,)."""
+    """Flags of unknowns on one of their bounds (p,)."""
     low, high = problem.bounds
     room = BINDING * (high - low)
     return np.asarray((values - low < room) | (high - values < room))
 
 
 def _inverse(rows: Array) -> Array:
-    """(JᵀJ)⁻¹ (p, p); a direction that no row knows deviates without end."""
+    """(JᵀJ)⁻¹ (p, p); a direction on which no row depends gets a very large deviation."""
     if not rows.shape[1]:
         return np.empty((0, 0))
     _, singular, v = np.linalg.svd(rows, full_matrices=False)
-    whole = np.zeros(rows.shape[1])
-    whole[: len(singular)] = singular
-    return np.asarray((v.T / np.maximum(whole, LOST)[: len(v)] ** 2) @ v)
+    padded = np.zeros(rows.shape[1])
+    padded[: len(singular)] = singular
+    return np.asarray((v.T / np.maximum(padded, LOST)[: len(v)] ** 2) @ v)
 
 
 def _soft(data: Array, free: Flags, birge: float) -> tuple[Array, Array]:
-    """Singular values and directions (q, p) along which data say less than was known before."""
+    """Singular values (q,) and directions (q, p) along which data add little to prior knowledge."""
     if not data.shape[1]:
         return np.empty(0), np.empty((0, len(free)))
     _, singular, v = np.linalg.svd(data, full_matrices=True)
@@ -187,7 +188,7 @@ def _word(unknown: Sought, deviation: float, on: bool) -> str:
 
 
 def inseparable(unknowns: tuple[Sought, ...], sure: Certainty) -> list[str]:
-    """What cannot be told apart, a sentence for each."""
+    """Sentences on directions and pairs of unknowns that the data do not separate."""
     sentences = []
     for direction in sure.directions:
         chosen = np.flatnonzero(np.abs(direction) > PART * np.abs(direction).max())

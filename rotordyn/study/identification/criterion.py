@@ -1,4 +1,4 @@
-"""When a model suffices: a mean difference that is stated, or one as large as the noise."""
+"""Whether a model suffices: by a stated mean difference, or by χ² against the noise."""
 
 from __future__ import annotations
 
@@ -16,24 +16,24 @@ from rotordyn.study.optimum.criterion import amount
 from rotordyn.units import parse_unit
 
 Array = NDArray[np.float64]
-UNLIKELY = 1e-3  # probability of residuals as large, by noise alone
-LEAST = 1e-12  # probability that is printed
+UNLIKELY = 1e-3  # probability of residuals as large by noise, below which a model is rejected
+LEAST = 1e-12  # least probability printed
 
 
 @dataclass(frozen=True, slots=True)
 class FitCriterion:
-    """``most`` mean absolute difference in ``unit``, over all measurements in it; None: by χ²."""
+    """Largest mean absolute difference ``most``, of measurements in ``unit``; None: χ² test."""
 
     unit: str
     most: float | None = None
 
     @classmethod
     def of(cls, given: str | None, measurements: Sequence[Measurement]) -> FitCriterion:
-        """A criterion as written, held against the measurements.
+        """Read a criterion and check it against the measurements.
 
         Raises
         ------
-        InvalidInput : no amount in a unit of any measurement
+        InvalidInput : it is not a value in the unit of a measurement
         """
         units = list(dict.fromkeys(each.data.unit for each in measurements))
         if given is None:
@@ -51,7 +51,7 @@ class FitCriterion:
         return cls(like, most)
 
     def mean_difference(self, problem: Problem, residuals: Sequence[Array]) -> float:
-        """Mean absolute difference in the unit."""
+        """Mean absolute difference of all measurements in the unit."""
         return float(np.abs(np.concatenate([*self._of_unit(problem, residuals)])).mean())
 
     def _of_unit(self, problem: Problem, residuals: Sequence[Array]) -> list[Array]:
@@ -59,7 +59,7 @@ class FitCriterion:
         return [part * m.data.factor for m, part in pairs if m.data.unit == self.unit]
 
     def excess(self, problem: Problem, residuals: Sequence[Array], sure: Certainty) -> list[str]:
-        """Why the model does not suffice, empty where it does."""
+        """Sentences on why the model does not suffice; empty if it does."""
         mean = self.mean_difference(problem, residuals)
         if self.most is not None:
             if mean <= self.most:
@@ -72,7 +72,7 @@ class FitCriterion:
         return [words + self._worst(problem, residuals, mean)]
 
     def _worst(self, problem: Problem, residuals: Sequence[Array], mean: float) -> str:
-        """The curve that differs most, where it stands out."""
+        """Text on the curve that differs most; empty if none is well above the mean."""
         means: dict[str, list[float]] = {}
         for each, part in zip(problem.measurements, residuals, strict=True):
             if each.data.unit == self.unit:
@@ -84,33 +84,33 @@ class FitCriterion:
         return f" (most on {worst}: {size:.3g})" if size > mean * 1.25 else ""
 
     def kept(self, residual: float, sure: Certainty) -> str:
-        """That it suffices, in words."""
+        """Sentence on why the model suffices."""
         if self.most is not None:
-            held = f"allowed {self.most:.3g}"
+            reason = f"allowed {self.most:.3g}"
         elif sure.degrees < 1:
-            held = "no more points than values: nothing is left to check it by"
+            reason = "no more points than values: nothing is left to check it by"
         else:
-            held = (
+            reason = (
                 f"{_of_noise(sure)} in the root mean square, as noise alone may be: {_test(sure)}"
             )
-        return f"sufficient: differs by {residual:.3g} {self.unit} in the mean, {held}"
+        return f"sufficient: differs by {residual:.3g} {self.unit} in the mean, {reason}"
 
 
 def _of_noise(sure: Certainty) -> str:
-    """The root mean square of the differences over the stated noise, in words."""
+    """Text of the root mean square of the differences over the stated noise."""
     times = f"{np.sqrt(sure.reduced):.2g}"
     return "as much as the stated noise" if times == "1" else f"{times} times the stated noise"
 
 
 def _by_noise(sure: Certainty) -> float:
-    """Probability of residuals as large, by noise alone."""
+    """Probability that noise alone gives residuals as large (χ² test)."""
     from scipy.stats import chi2
 
     return float(chi2.sf(sure.reduced * sure.degrees, sure.degrees))
 
 
 def _test(sure: Certainty) -> str:
-    """χ², degrees of freedom and the probability of as much."""
+    """Text of χ², degrees of freedom and its probability."""
     chance, freedom = _by_noise(sure), "degree" if sure.degrees == 1 else "degrees"
     share = f"p {chance:.2g}" if chance > LEAST else f"p below {LEAST:g}"
     squares = sure.reduced * sure.degrees

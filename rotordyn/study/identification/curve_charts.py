@@ -1,4 +1,4 @@
-"""Charts of what was measured beside the identified machine, and of its residuals."""
+"""Charts of measured curves, the identified machine, and the residuals."""
 
 from __future__ import annotations
 
@@ -14,13 +14,14 @@ from rotordyn.study.columns import Column
 from rotordyn.study.identification.measurement import FEW
 from rotordyn.study.identification.responses import PARTS
 
-WITHIN = 2.0  # deviations of the noise, shaded
+WITHIN = 2.0  # standard deviations of the noise in the shaded band
 GREY = "rgba(138, 138, 138, 0.3)"
 
 
 class Curves(NamedTuple):
-    """Points of all measurements: to which measurement and curve they belong, abscissa and unit;
-    ``machine``, the ``residual`` and the ``noise`` (points,) in that unit."""
+    """Points of all measurements: names of measurement and curve (``series``), label and value of
+    the abscissa (``along``, ``at``); ``machine``, ``residual`` and ``noise`` (points,) in
+    ``unit``."""
 
     measurement: Sequence[str]
     series: Sequence[str]
@@ -33,14 +34,14 @@ class Curves(NamedTuple):
 
     @classmethod
     def of(cls, table: Mapping[str, Column]) -> Curves:
-        """Of the columns of ``differences.csv``."""
+        """Make the points from the columns of ``differences.csv``."""
         along, unit = table["along"].words, table["unit"].words
         series = table["measurement"].words, table["curve"].words
         values = (table[head].values for head in ("at", "machine", "residual", "noise"))
         return cls(*series, along, unit, *values)
 
     def rows(self, chosen: Sequence[int]) -> Curves:
-        """The points at some places."""
+        """Select points by index."""
         places = list(chosen)
 
         def words(part: Sequence[str]) -> list[str]:
@@ -58,13 +59,13 @@ class Curves(NamedTuple):
         )
 
     def split(self, keys: Sequence[str]) -> Iterator[tuple[str, Curves]]:
-        """Points by a word of each."""
+        """Yield each distinct key and its points."""
         for key in dict.fromkeys(keys):
             yield key, self.rows([k for k, word in enumerate(keys) if word == key])
 
 
 def curve_blocks(every: Curves) -> Iterator[Block]:
-    """Two charts of every measured curve, one of frequency responses; single points as a table."""
+    """Yield two charts of every curve, one of frequency responses, and a table of single points."""
     single: list[list[str]] = []
     for name, points in every.split(every.measurement):
         if points.series[0].endswith(f", {PARTS[0]}"):
@@ -80,7 +81,7 @@ def curve_blocks(every: Curves) -> Iterator[Block]:
 
 
 def _measured(name: str, points: Curves) -> Chart:
-    """Points with tare and drift taken off, lines the machine."""
+    """Chart of measured points without tare and drift, and of the machine as lines."""
     traces: list[dict[str, Any]] = []
     for place, (word, curve) in enumerate(points.split(points.series)):
         order = np.argsort(curve.at)
@@ -97,7 +98,7 @@ def _measured(name: str, points: Curves) -> Chart:
 
 
 def _left(name: str, points: Curves) -> Chart:
-    """What the machine does not explain, in a band of the noise."""
+    """Chart of the residuals with a band of the noise."""
     ends = np.array([points.at.min(), points.at.max()])
     half = WITHIN * float(points.noise.mean())
     traces: list[dict[str, Any]] = [
@@ -114,9 +115,9 @@ def _left(name: str, points: Curves) -> Chart:
     ]
     for place, (word, curve) in enumerate(points.split(points.series)):
         order = np.argsort(curve.at)
-        looks = {"line": line(place, width=0.8), "marker": {"symbol": mark(place), "size": 5}}
+        style = {"line": line(place, width=0.8), "marker": {"symbol": mark(place), "size": 5}}
         x, y = curve.at[order], curve.residual[order]
-        traces.append({"x": x, "y": y, "mode": "lines+markers", "name": word or name, **looks})
+        traces.append({"x": x, "y": y, "mode": "lines+markers", "name": word or name, **style})
     return Chart(f"{name}: residuals", traces, _axes(points))
 
 
@@ -126,7 +127,7 @@ def _axes(points: Curves) -> dict[str, Any]:
 
 
 def _responses(name: str, points: Curves) -> Chart:
-    """Amplitude over frequency of a response that is chosen, and of its residual."""
+    """Chart of amplitudes over frequency of a selected response, and of its residual."""
     pairs = [word.rpartition(", ")[0] for word in points.series]
     drawn = list(points.split(pairs))
     longest = max(len(curve.at) // 2 for _, curve in drawn)
@@ -137,15 +138,15 @@ def _responses(name: str, points: Curves) -> Chart:
         shown = (curve.machine + curve.residual, curve.machine, curve.residual, curve.noise)
         for place, part in enumerate(shown):
             values[1 + place, k, :count] = np.hypot(part[:count], part[count:])
-    looks: tuple[dict[str, Any], ...] = (
+    styles: tuple[dict[str, Any], ...] = (
         {"name": "measured", "mode": "markers", "marker": {"color": FAINT, "size": 4}},
         {"name": "computed", "mode": "lines", "line": line(0)},
         {"name": "difference", "mode": "lines", "line": line(1, width=0.9)},
         {"name": "noise", "mode": "lines", "line": {"color": COLOURS[1], "dash": "dash"}},
     )
     traces = [
-        {**look, "moving": {"x": values[0], "y": values[1 + place]}}
-        for place, look in enumerate(looks)
+        {**style, "moving": {"x": values[0], "y": values[1 + place]}}
+        for place, style in enumerate(styles)
     ]
     layout = {"xaxis": axis(points.along[0]), "yaxis": logarithmic("amplitude", points.unit[0])}
     controls = [Control("response", [pair for pair, _ in drawn])]

@@ -14,14 +14,14 @@ if TYPE_CHECKING:
     from rotordyn.study.identification.identification import Identification
 
 
-def _profiles(found: Identification) -> dict[str, Any]:
-    """Intervals by profile, and every value of every profile."""
-    ends = np.full((len(found.explained.problem.unknowns), 2), np.nan)
-    for each in found.profiles.values():
+def _profiles(result: Identification) -> dict[str, Any]:
+    """Variables of the profiles: intervals, and all points of each profile."""
+    ends = np.full((len(result.explained.problem.unknowns), 2), np.nan)
+    for each in result.profiles.values():
         ends[each.number] = each.interval
-    paths = [path for path, each in found.profiles.items() for _ in each.values]
+    paths = [path for path, each in result.profiles.items() for _ in each.values]
     value, excess = (
-        np.concatenate([getattr(each, name) for each in found.profiles.values()])
+        np.concatenate([getattr(each, name) for each in result.profiles.values()])
         for name in ("values", "excess")
     )
     meaning = "95 % interval by profile, SI; NaN of unknowns whose profile was not asked for"
@@ -34,18 +34,18 @@ def _profiles(found: Identification) -> dict[str, Any]:
             excess,
             {
                 "long_name": "least χ² above the best, over the Birge factor squared",
-                "threshold": found.explained.sure.quantile**2,
+                "threshold": result.explained.sure.quantile**2,
             },
         ),
     }
 
 
-def dataset(found: Identification) -> xr.Dataset:
-    """Values, intervals and correlation of the unknowns of the best model; every point; evidence
-    of all models; predictions as printed; profiles."""
+def dataset(result: Identification) -> xr.Dataset:
+    """Build the Dataset: values, intervals and correlation of the unknowns of the best model; all
+    measured points; evidence of all models; predictions as printed; profiles."""
     import xarray as xr
 
-    best, sure = found.explained, found.explained.sure
+    best, sure = result.explained, result.explained.sure
     problem = best.problem
     names = [each.path for each in problem.unknowns]
     fit = zip(problem.measurements, best.fit.predicted, best.residuals, strict=True)
@@ -73,27 +73,27 @@ def dataset(found: Identification) -> xr.Dataset:
             residual,
             {"long_name": "not explained, tare and drift off, SI"},
         ),
-        "evidence": ("model", found.evidence, {"long_name": "BIC above the best"}),
+        "evidence": ("model", result.evidence, {"long_name": "BIC above the best"}),
     }
     coords = {
         "unknown": names,
         "other": other,
         "end": ["low", "high"],
-        "model": [each.name for each in found.models],
+        "model": [each.name for each in result.models],
     }
-    if found.predictions:
-        coords["prediction"] = [each.name for each in found.predictions]
+    if result.predictions:
+        coords["prediction"] = [each.name for each in result.predictions]
         for name in ("value", "low", "high", "least", "most"):
-            numbers = [getattr(each, name) for each in found.predictions]
+            numbers = [getattr(each, name) for each in result.predictions]
             if None not in numbers:
                 values[f"predicted_{name}"] = ("prediction", numbers)
-    if found.profiles:
-        values |= _profiles(found)
+    if result.profiles:
+        values |= _profiles(result)
     case = problem.case
-    attributes = about(found.name, found.title, case.digest)
+    attributes = about(result.name, result.title, case.digest)
     attributes |= {
-        "verdict": "\n".join(found.verdict),
-        "stopped": "yes" if found.stopped else "",
+        "verdict": "\n".join(result.verdict),
+        "stopped": "yes" if result.stopped else "",
         "beside": "\n".join(each.name for each in best.beside),
     }
     return xr.Dataset(values, coords, attributes)

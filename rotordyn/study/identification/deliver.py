@@ -1,4 +1,4 @@
-"""An identification searched into its folder: searches as they end, then what they came to."""
+"""Identify and write the folder: searches as they end, then the result."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ BEST, SUMMARY, DATASET = "best.yaml", "summary.txt", "identification.nc"
 
 
 def deliver(
-    held: Asked,
+    request: Asked,
     folder: Path,
     *,
     workers: int | None = None,
     progress: Progress = lambda done, of: None,
     draw: bool = True,
 ) -> tuple[Identification, str]:
-    """Search and write what it came to; returns it and its summary.
+    """Identify, write the folder, and return the result and its summary.
 
     Raises
     ------
@@ -40,22 +40,22 @@ def deliver(
     from rotordyn.study.identification.solve import identified
 
     try:
-        found = identified(held, workers, folder, progress)
+        result = identified(request, workers, folder, progress)
     except NoSolution:
         record.withdraw(folder / JOURNAL)
         raise
-    write(found, folder, draw=draw)
-    return found, summary(found)
+    write(result, folder, draw=draw)
+    return result, summary(result)
 
 
 def write(
-    found: Identification,
+    result: Identification,
     folder: Path,
     *,
     draw: bool = True,
     formats: Sequence[str] = USUAL_FORMATS,
 ) -> None:
-    """Summary, dataset, tables, the identified machine as a case, figures.
+    """Write summary, dataset, tables, the identified machine as a case, figures.
 
     Raises
     ------
@@ -64,16 +64,16 @@ def write(
     try:
         folder.mkdir(parents=True, exist_ok=True)
         with whole_files(folder) as place:
-            _write(found, place, formats if draw else (), folder)
+            _write(result, place, formats if draw else (), folder)
     except OSError as error:
         raise InvalidInput(f"{folder}: cannot be written: {error.strerror}") from None
 
 
-def _write(found: Identification, folder: Path, formats: Sequence[str], home: Path) -> None:
-    (folder / SUMMARY).write_text(summary(found) + "\n", encoding="utf-8")
-    found.dataset().to_netcdf(folder / DATASET, engine="h5netcdf")
-    write_tables(folder, found)
-    best = found.explained
+def _write(result: Identification, folder: Path, formats: Sequence[str], home: Path) -> None:
+    (folder / SUMMARY).write_text(summary(result) + "\n", encoding="utf-8")
+    result.dataset().to_netcdf(folder / DATASET, engine="h5netcdf")
+    write_tables(folder, result)
+    best = result.explained
     if best.problem.case.files:
         values = zip(best.problem.unknowns, best.fit.values.tolist(), strict=True)
         changes = {
@@ -81,12 +81,12 @@ def _write(found: Identification, folder: Path, formats: Sequence[str], home: Pa
             for unknown, value in values
             for path in (unknown.path, *unknown.also)
         }
-        title = f"{found.title or found.name}: as identified"
+        title = f"{result.title or result.name}: as identified"
         changes |= best.held
         write_changed(best.problem.case, changes, folder / BEST, title=title, home=home)
     if formats:
         from rotordyn.figures.draw import draw_one
         from rotordyn.study.identification.figures import figures
 
-        for name, drawing in figures(found):
+        for name, drawing in figures(result):
             draw_one(name, drawing, folder, formats)

@@ -1,4 +1,4 @@
-"""Measured and computed curves, residuals, correlations, and models side by side."""
+"""Figures of measured and computed curves, residuals, correlations, and models side by side."""
 
 from __future__ import annotations
 
@@ -42,60 +42,60 @@ NAMES = 30.0  # mm, of single values
 MOST_MODELS = 16
 
 
-def figures(found: Identification) -> Iterator[tuple[str, Callable[[], Figure]]]:
-    """Name and drawing of every figure."""
-    if any(_panels(found)):
-        yield "measured", partial(_measured, found)
-        yield "residuals", partial(_residuals, found)
-    yield from response_figures.figures(found)
-    if len(found.explained.problem.unknowns) > 1:
-        yield "correlation", partial(_correlation, found)
-    if found.profiles:
-        yield "profiles", partial(profile_figure.profiles, found)
-    if len(found.models) > 1:
-        yield "models", partial(_models, found)
+def figures(result: Identification) -> Iterator[tuple[str, Callable[[], Figure]]]:
+    """Yield the name of every figure and the function that draws it."""
+    if any(_panels(result)):
+        yield "measured", partial(_measured, result)
+        yield "residuals", partial(_residuals, result)
+    yield from response_figures.figures(result)
+    if len(result.explained.problem.unknowns) > 1:
+        yield "correlation", partial(_correlation, result)
+    if result.profiles:
+        yield "profiles", partial(profile_figure.profiles, result)
+    if len(result.models) > 1:
+        yield "models", partial(_models, result)
 
 
-def _titled(found: Identification) -> str:
-    return found.title or found.name
+def _titled(result: Identification) -> str:
+    return result.title or result.name
 
 
-def _panels(found: Identification) -> tuple[list[int], list[int]]:
-    """Places of the measurements that are curves, and of single points."""
-    every = enumerate(found.explained.problem.measurements)
+def _panels(result: Identification) -> tuple[list[int], list[int]]:
+    """Indices of the measurements that are curves, and of those of single points."""
+    every = enumerate(result.explained.problem.measurements)
     sizes = {k: len(m.data.observed) for k, m in every if not isinstance(m, Responses)}
     curves = [k for k, n in sizes.items() if n >= FEW]
     return curves, [k for k, n in sizes.items() if n < FEW]
 
 
 def _grid(count: int) -> tuple[Figure, list[tuple[float, float, float, float]]]:
-    """A figure with room for so many panels."""
+    """Make a figure with ``count`` panels; return it and their boxes."""
     columns = min(COLUMNS, count)
     rows = -(-count // columns)
     figure = new_figure(height=20.0 + ROW * rows)
     return figure, grid_boxes(figure, rows, columns, margins=(17.0, 5.0, 12.0, 8.0))
 
 
-def _measured(found: Identification) -> Figure:
-    """Every curve, tare and drift taken off, beside the machine; single points as differences."""
-    curves, single = _panels(found)
+def _measured(result: Identification) -> Figure:
+    """Draw every curve, without tare and drift, and the machine; single points as differences."""
+    curves, single = _panels(result)
     figure, boxes = _grid(len(curves) + bool(single))
     drawn = []
     for place, box in zip(curves, boxes, strict=False):
         axes = add_axes(figure, box)
-        _curve(axes, found.explained, place)
+        _curve(axes, result.explained, place)
         drawn.append(axes)
     if single:
         left, bottom, wide, tall = boxes[len(curves)]
         box = (left + NAMES, bottom, wide - NAMES, tall)
-        _singles(add_axes(figure, box), found.explained, single)
+        _singles(add_axes(figure, box), result.explained, single)
     if drawn:
         top_legend(figure, *drawn)
-    return head(figure, f"{_titled(found)}: tare and drift taken off, lines the machine")
+    return head(figure, f"{_titled(result)}: tare and drift taken off, lines the machine")
 
 
 def _series(data: Data) -> Iterator[tuple[str, str, NDArray[np.intp], dict[str, Any]]]:
-    """Speed and branch of every curve of a measurement, its rows, how its points look."""
+    """Yield speed and branch of every curve of a measurement, its rows, and its marker style."""
     words = list(dict.fromkeys(data.series))
     speeds = list(dict.fromkeys(word.partition(", ")[0] for word in words))
     for word in words:
@@ -122,8 +122,8 @@ def _curve(axes: Axes, best: Explained, place: int) -> None:
 
 
 def _line(best: Explained, place: int) -> tuple[Array, Array, NDArray[np.str_]]:
-    """Abscissa and prediction of the machine as printed, at closer points where there are such, and
-    the series of each."""
+    """Abscissa, prediction of the machine in printed units, and series of each point; at more
+    points than measured for axial curves."""
     given, predicted = best.problem.measurements[place], best.fit.predicted[place]
     if isinstance(given, AxialCurve):
         given = given.finer
@@ -140,7 +140,7 @@ def _labelled(axes: Axes, data: Data, what: str) -> None:
 
 
 def _singles(axes: Axes, best: Explained, places: list[int]) -> None:
-    """Differences of single points, over their noise."""
+    """Draw the differences of single points over their noise as bars."""
     names, values = [], []
     for place in places:
         data, residual = best.problem.measurements[place].data, best.residuals[place]
@@ -161,10 +161,10 @@ def _singles(axes: Axes, best: Explained, places: list[int]) -> None:
     axes.set_xlabel("(measured − machine) / noise", fontsize=FONT_SIZE - 1.0)
 
 
-def _residuals(found: Identification) -> Figure:
-    """Residuals of every curve, tare and drift taken off, with ± two deviations of the noise."""
-    curves, single = _panels(found)
-    places, best = curves or single, found.explained
+def _residuals(result: Identification) -> Figure:
+    """Draw the residuals of every curve with a band of ± two standard deviations of the noise."""
+    curves, single = _panels(result)
+    places, best = curves or single, result.explained
     figure, boxes = _grid(len(places))
     drawn = []
     for place, box in zip(places, boxes, strict=False):
@@ -178,13 +178,13 @@ def _residuals(found: Identification) -> Figure:
         _labelled(axes, data, "measured − machine")
         drawn.append(axes)
     top_legend(figure, *drawn)
-    words = f"{_titled(found)}: what is not explained, with ± 2 deviations of the noise"
+    words = f"{_titled(result)}: what is not explained, with ± 2 deviations of the noise"
     return head(figure, words)
 
 
-def _correlation(found: Identification) -> Figure:
-    """Correlations of the unknowns; empty of those on a bound."""
-    best = found.explained
+def _correlation(result: Identification) -> Figure:
+    """Draw the correlation matrix of the unknowns; blank for those on a bound."""
+    best = result.explained
     names = [shortened(each.name, 28) for each in best.problem.unknowns]
     values = best.sure.correlation
     count = len(names)
@@ -212,27 +212,27 @@ def _correlation(found: Identification) -> Figure:
                     )
     bar = add_axes(figure, (48.0 + side, low, 4.0, side))
     figure.colorbar(image, cax=bar)
-    return head(figure, _titled(found))
+    return head(figure, _titled(result))
 
 
-def _models(found: Identification) -> Figure:
-    """Mean difference of every model, and its unknowns between their ends."""
-    shown = list(found.models[:MOST_MODELS])
-    story = [each for each in found.order if each in shown]
+def _models(result: Identification) -> Figure:
+    """Draw the mean difference of every model, and its unknowns between their bounds."""
+    shown = list(result.models[:MOST_MODELS])
+    story = [each for each in result.order if each in shown]
     paths = {u.path: u for model in story for u in model.problem.unknowns}
     tall = 8.0 + 7.0 * len(story)
     figure = new_figure(height=tall + 62.0, title="models side by side")
     names = [shortened(each.name, 26) for each in story]
     place = np.arange(len(story))
     axes = add_axes(figure, (38.0, 38.0, 40.0, tall))
-    means = [found.criterion.mean_difference(each.problem, each.residuals) for each in story]
-    kept = [each.name in found.surviving for each in story]
+    means = [result.criterion.mean_difference(each.problem, each.residuals) for each in story]
+    kept = [each.name in result.surviving for each in story]
     axes.barh(place, means, height=0.6, color=[BLUE if k else GREY for k in kept])
     axes.set_yticks(place, names, fontsize=FONT_SIZE - 1.5)
     axes.invert_yaxis()
-    if found.criterion.most is not None:
-        axes.axvline(found.criterion.most, color=ORANGE, lw=0.8, ls="--")
-    axes.set_xlabel(f"mean difference [{found.criterion.unit}]", fontsize=FONT_SIZE - 1.0)
+    if result.criterion.most is not None:
+        axes.axvline(result.criterion.most, color=ORANGE, lw=0.8, ls="--")
+    axes.set_xlabel(f"mean difference [{result.criterion.unit}]", fontsize=FONT_SIZE - 1.0)
     beside = add_axes(figure, (84.0, 38.0, 80.0, tall))
     for column, unknown in enumerate(paths.values()):
         for row, model in enumerate(story):
@@ -254,4 +254,4 @@ def _models(found: Identification) -> Figure:
     heads = [shortened(each.heading, 26) for each in paths.values()]
     beside.set_xticks(range(len(paths)), heads, rotation=90, fontsize=FONT_SIZE - 2.0)
     beside.set_title("between their ends, orange on one", fontsize=FONT_SIZE - 1.0)
-    return head(figure, _titled(found))
+    return head(figure, _titled(result))

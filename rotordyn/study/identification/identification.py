@@ -1,4 +1,4 @@
-"""What measurements say of a case: models at their best, by evidence, and the verdict."""
+"""Result of an identification: fitted models ranked by evidence, and the verdict."""
 
 from __future__ import annotations
 
@@ -40,14 +40,14 @@ if TYPE_CHECKING:
     import xarray as xr
 
 Array = NDArray[np.float64]
-SURVIVES = 6.0  # difference of BIC up to which a model is kept
+SURVIVES = 6.0  # difference of BIC up to which a model is not ruled out
 INSUFFICIENT = "insufficient"
 UNDECIDED = "undecidable"
 
 
 @dataclass(frozen=True, eq=False)
 class Explained:
-    """One model at its best: ``fit``, how ``sure`` its values are, searches from all starts."""
+    """One fitted model: ``fit``, uncertainty ``sure`` of its values, searches from all starts."""
 
     model: Model
     problem: Problem
@@ -57,12 +57,12 @@ class Explained:
 
     @property
     def name(self) -> str:
-        """Of the model."""
+        """Name of the model."""
         return self.model.name
 
     @property
     def held(self) -> dict[str, Any]:
-        """What the model holds by path, as files write it."""
+        """Values that the model holds fixed, by path, as files write them."""
         return {path: _written(self.problem.case, path) for path in self.model.holds}
 
     @property
@@ -73,7 +73,7 @@ class Explained:
 
     @property
     def residuals(self) -> list[Array]:
-        """Of every measurement (n,), what machine, tare and drift do not explain [SI]."""
+        """Residuals (n,) of every measurement: observed less machine, tare and drift [SI]."""
         pairs = [*zip(self.problem.weighings, self.fit.predicted, strict=True)]
         if self.fit.absolute is not None:
             pairs = [(each.anew(one), one) for each, one in pairs]
@@ -81,12 +81,12 @@ class Explained:
 
     @property
     def case(self) -> Case:
-        """The machine."""
+        """Case of the fitted machine."""
         return self.problem.machine(self.fit.values)
 
     @cached_property
     def beside(self) -> list[Beside]:
-        """What measurements say of the machine beside differences."""
+        """Further comparisons of measurements with the machine, such as paired modes."""
         asked = [m for m in self.problem.measurements if hasattr(m, "beside")]
         if not asked:
             return []
@@ -95,12 +95,12 @@ class Explained:
 
     @property
     def on_bounds(self) -> list[str]:
-        """Names of the unknowns that stand on a bound."""
+        """Names of the unknowns on a bound."""
         return [n for n, w in self.named if w == ON_A_BOUND]
 
     @property
     def at_limits(self) -> list[str]:
-        """Names of those of them that stand where their quantity itself ends, at 0."""
+        """Names of the unknowns on a bound that is the physical limit of the quantity, 0."""
         triples = zip(self.problem.unknowns, self.fit.values, self.sure.words, strict=True)
         return [
             each.name
@@ -110,18 +110,18 @@ class Explained:
 
     @property
     def named(self) -> list[tuple[str, str]]:
-        """Every unknown with the word about it."""
+        """Name and verdict of every unknown."""
         pairs = zip(self.problem.unknowns, self.sure.words, strict=True)
         return [(unknown.name, word) for unknown, word in pairs]
 
 
 @dataclass(frozen=True, eq=False)
 class Identification:
-    """What measurements say of a case.
+    """Result of an identification.
 
-    ``models`` by evidence, the best first; ``predictions`` and ``profiles``, by path, of the best;
-    ``failed``: models without a machine, and why; ``stopped`` before the end; ``left_out``:
-    variants of the case, which take no part.
+    ``models`` by evidence, the best first; ``predictions`` and ``profiles`` (by path) of the best;
+    ``failed``: reasons by name of models without a solution; ``stopped``: interrupted before the
+    end; ``left_out``: variants of the case, ignored.
     """
 
     name: str
@@ -136,7 +136,7 @@ class Identification:
 
     @property
     def order(self) -> list[Explained]:
-        """Models in the order in which they were asked for."""
+        """Models in the order of the request."""
         return sorted(self.models, key=lambda each: each.searches[0].number)
 
     @property
@@ -146,27 +146,27 @@ class Identification:
 
     @property
     def best(self) -> Case:
-        """The identified machine."""
+        """Case of the identified machine."""
         return self.explained.case
 
     @property
     def values(self) -> dict[str, float]:
-        """Its unknowns by path [SI]."""
+        """Identified values by path [SI]."""
         best = self.explained
         pairs = zip(best.problem.unknowns, best.fit.values.tolist(), strict=True)
         return {unknown.path: value for unknown, value in pairs}
 
     @property
     def intervals(self) -> dict[str, tuple[float, float]]:
-        """Their 95 % intervals [SI]; of one on a bound both ends are its value."""
+        """95 % intervals by path [SI]; both ends are the value if it is on a bound."""
         best = self.explained
         pairs = zip(best.problem.unknowns, best.sure.interval.tolist(), strict=True)
         return {unknown.path: (ends[0], ends[1]) for unknown, ends in pairs}
 
     @cached_property
     def evidence(self) -> list[float]:
-        """How far the BIC of every model lies above the best, χ² counted by the best model's where
-        that leaves more than the stated noise (K. Burnham and D. Anderson, 2002, 2.5)."""
+        """BIC of every model less that of the best; χ² is divided by the reduced χ² of the best
+        model where that is above 1 (K. Burnham and D. Anderson, 2002, 2.5)."""
         best = self.models[0]
         reduced = max(1.0, best.sure.reduced)
         penalty = np.log(best.problem.count)
@@ -184,35 +184,35 @@ class Identification:
 
     @property
     def surviving(self) -> list[str]:
-        """Their names."""
+        """Names of the models that the measurements do not rule out."""
         return [each.name for each in self.survivors]
 
     @property
     def mean_difference(self) -> float:
-        """What the criterion bounds: the mean absolute difference, in its unit."""
+        """Mean absolute difference in the unit of the criterion."""
         return self.criterion.mean_difference(self.explained.problem, self.explained.residuals)
 
     @cached_property
     def _insufficient(self) -> list[str]:
-        """Why the best model does not suffice; empty where it does."""
+        """Sentences on why the best model does not suffice; empty if it does."""
         best = self.explained
-        why = self.criterion.excess(best.problem, best.residuals, best.sure)
-        limits = [] if why else best.at_limits
+        reasons = self.criterion.excess(best.problem, best.residuals, best.sure)
+        limits = [] if reasons else best.at_limits
         bound = [name for name in best.on_bounds if name not in limits]
         if bound:
             what = f"{', '.join(bound)} {'stands' if len(bound) == 1 else 'stand'} {ON_A_BOUND}"
-            why.append(f"{what}: the model lacks a phenomenon, or the bound is too tight")
-        return why
+            reasons.append(f"{what}: the model lacks a phenomenon, or the bound is too tight")
+        return reasons
 
     @property
     def verdict(self) -> list[str]:
-        """In sentences: does the model suffice, what is identified, what is not."""
-        best, why = self.explained, self._insufficient
+        """Sentences: whether the model suffices, which unknowns are identified, which not."""
+        best, reasons = self.explained, self._insufficient
         kept = self.criterion.kept(self.mean_difference, best.sure)
         if limits := best.at_limits:
             whose = "its" if len(limits) == 1 else "their"
             kept += f"; {', '.join(limits)} at {whose} physical limit"
-        lines = [f"{INSUFFICIENT}: " + "; ".join(why) if why else kept]
+        lines = [f"{INSUFFICIENT}: " + "; ".join(reasons) if reasons else kept]
         if best.fit.limited:
             lines.append(
                 f"{UNFINISHED}: it took the most machines allowed, so that no interval is known: "
@@ -224,7 +224,7 @@ class Identification:
             if names:
                 lines.append(f"{word}: {', '.join(names)}")
         idle = [u.name for u, i in zip(best.problem.unknowns, best.sure.idle, strict=True) if i]
-        if why and idle:
+        if reasons and idle:
             lines.append(
                 f"no measurement follows {', '.join(idle)} at the best machine found, as of a stop "
                 "that is never met: searches from other starts may find a better one (starts)"
@@ -246,13 +246,13 @@ class Identification:
 
     @property
     def summary(self) -> str:
-        """The whole in one screen of plain text."""
+        """Summary in plain text."""
         from rotordyn.study.identification.summary import summary
 
         return summary(self)
 
     def plot(self, name: str) -> Any:
-        """A figure by its name; ``figures`` lists them."""
+        """Draw a figure by its name; ``figures`` lists the names."""
         from rotordyn.study.identification.figures import figures
 
         known = dict(figures(self))
@@ -262,13 +262,13 @@ class Identification:
 
     @property
     def figures(self) -> list[str]:
-        """Names of its figures."""
+        """Names of the figures."""
         from rotordyn.study.identification.figures import figures
 
         return [name for name, _ in figures(self)]
 
     def dataset(self) -> xr.Dataset:
-        """Values, intervals, correlation, residuals, evidence and predictions."""
+        """Values, intervals, correlation, residuals, evidence and predictions as a Dataset."""
         from rotordyn.study.identification.dataset import dataset
 
         return dataset(self)

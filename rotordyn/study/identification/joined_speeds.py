@@ -1,4 +1,4 @@
-"""Speeds of one curve that were measured point by point, and so scatter, taken as one."""
+"""Merge the speeds of points of one curve, which scatter if each point has its own reading."""
 
 from __future__ import annotations
 
@@ -9,31 +9,31 @@ from rotordyn.errors import InvalidInput
 
 Array = NDArray[np.float64]
 RPM = np.pi / 30.0
-ALIKE, REST = 0.01, RPM  # of a speed, or about rest: those nearer to one another are one
+ALIKE, REST = 0.01, RPM  # distance up to which speeds are one: relative, or about rest
 
 
 def joined(name: str, speed: Array) -> Array:
-    """Speeds (n,) of points of the measurement ``name``, those alike at their mean.
+    """Replace nearly equal speeds (n,) of the measurement ``name`` by their mean.
 
     Raises
     ------
-    InvalidInput : speeds that go over into one another, neither one nor several
+    InvalidInput : a chain of speeds that is too wide for one speed and too dense for several
     """
-    found = speed.copy()
-    every = np.unique(speed)
-    for group in np.split(every, np.flatnonzero(np.diff(every) > _near(every[1:])) + 1):
+    merged = speed.copy()
+    distinct = np.unique(speed)
+    for group in np.split(distinct, np.flatnonzero(np.diff(distinct) > _near(distinct[1:])) + 1):
         if len(group) < 2:
             continue
-        here = (speed >= group[0]) & (speed <= group[-1])
-        mean = float(speed[here].mean())
+        members = (speed >= group[0]) & (speed <= group[-1])
+        mean = float(speed[members].mean())
         if np.abs(group - mean).max() > _near(mean):
             low, high = group[[0, -1]] / RPM
             raise InvalidInput(
                 f"measurement {name}: speeds from {low:.6g} to {high:.6g} rpm are too far apart "
                 "for one curve and too near for several: give each curve one speed"
             )
-        found[here] = mean
-    return found
+        merged[members] = mean
+    return merged
 
 
 def _near(speed: float | Array) -> Array:

@@ -1,4 +1,4 @@
-"""Measurements made of what files say: one line for each kind."""
+"""Make measurements from the entries of a file: one function for each kind."""
 
 from __future__ import annotations
 
@@ -29,9 +29,9 @@ COLUMNS = {
 }
 
 
-def _axial_curve(name: str, given: Entry, beside: Path) -> Measurement:
-    numbers, words, places = read_points(beside / given["file"], COLUMNS)
-    whole = AxialCurve(
+def _axial_curve(name: str, given: Entry, folder: Path) -> Measurement:
+    numbers, words, places = read_points(folder / given["file"], COLUMNS)
+    curve = AxialCurve(
         name=name,
         branch=words["branch"],
         speed=numbers["speed"],
@@ -40,7 +40,7 @@ def _axial_curve(name: str, given: Entry, beside: Path) -> Measurement:
         places=places,
         **{key: given[key] for key in ("deviation", "of", "tare", "drift", "lowest", "highest")},
     )
-    return whole if given["points"] is None else whole.reduced(given["points"])
+    return curve if given["points"] is None else curve.reduced(given["points"])
 
 
 def _no_load(name: str, given: Entry, _: Path) -> Measurement:

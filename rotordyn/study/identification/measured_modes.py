@@ -1,4 +1,4 @@
-"""Frequencies and dampings of bending modes over speed, as modal software gives them."""
+"""Measured frequencies and damping ratios of bending modes over speed."""
 
 from __future__ import annotations
 
@@ -21,17 +21,18 @@ from rotordyn.study.identification.trial import Trial, require_all_speeds
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 WHIRLS = {"forward": 1.0, "backward": -1.0, "": 0.0}
-BEYOND = 1.5  # of the highest frequency measured: modes of the machine that may be meant
-OTHER = 1.0  # cost of a mode that whirls the other way, as that of one ``FAR`` off
+BEYOND = 1.5  # highest computed frequency over the highest measured one
+OTHER = 1.0  # cost of a mode of the opposite whirl, that of a frequency ``FAR`` off
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Modes(AsksNothing):
-    """``frequency`` |λ|/2π [Hz] at ``speed`` [rad/s], both (n,), with a relative ``deviation``.
+    """Measured modes: ``frequency`` |λ|/2π [Hz] at ``speed`` [rad/s], both (n,), with a relative
+    standard ``deviation``.
 
-    ``damping`` ratios (n,) with a relative ``damping_deviation``, or none; ``whirl`` (n,):
-    "forward", "backward", or "" where it is not known. At each speed measured modes are paired with
-    those of the machine so that they lie nearest in all.
+    ``damping`` ratios (n,) with a relative ``damping_deviation``, or None; ``whirl`` (n,):
+    "forward", "backward", or "" if unknown. At each speed measured modes are assigned to computed
+    ones with the least total distance.
     """
 
     name: str
@@ -68,7 +69,7 @@ class Modes(AsksNothing):
 
     @cached_property
     def data(self) -> Data:
-        """Frequencies, then ζ |λ|/2π [Hz]."""
+        """Frequencies, followed by the decay rates ζ |λ|/2π [Hz]."""
         observed, deviation = [self.frequency], [self.deviation * self.frequency]
         series = ["frequency"] * len(self.frequency)
         if self.damping is not None and self.damping_deviation is not None:
@@ -88,43 +89,43 @@ class Modes(AsksNothing):
         )
 
     def faults(self, case: Case) -> Iterator[str]:
-        """A machine without a rotor."""
+        """Yield a fault if the case has no spindle."""
         if case.spindle is None:
             yield f"measurement {self.name}: needs a spindle"
 
     def predicted(self, trial: Trial) -> Array:
-        """Rows as those of ``data`` [Hz]."""
-        each = np.unique(self.speed)
+        """Predicted values in the rows of ``data`` [Hz]."""
+        speeds = np.unique(self.speed)
         highest = BEYOND * float(self.frequency.max())
-        size, decay = np.empty(len(self.speed)), np.empty(len(self.speed))
+        frequency, decay = np.empty(len(self.speed)), np.empty(len(self.speed))
         with linear_algebra_alone():
             assert trial.case.spindle is not None, "asked for by faults"
-            scene = Scene(trial.case.spindle, trial.case.conditions, each, highest)
+            scene = Scene(trial.case.spindle, trial.case.conditions, speeds, highest)
             require_all_speeds(scene)
-            for row, speed in enumerate(each):
-                here = np.flatnonzero(self.speed == speed)
-                pole = self._paired(here, *_bending(scene, row))
-                size[here] = np.abs(pole) / (2.0 * np.pi)
-                decay[here] = -pole.real / (2.0 * np.pi)
-        return size if self.damping is None else np.concatenate([size, decay])
+            for row, speed in enumerate(speeds):
+                rows = np.flatnonzero(self.speed == speed)
+                pole = self._paired(rows, *_bending(scene, row))
+                frequency[rows] = np.abs(pole) / (2.0 * np.pi)
+                decay[rows] = -pole.real / (2.0 * np.pi)
+        return frequency if self.damping is None else np.concatenate([frequency, decay])
 
-    def _paired(self, here: NDArray[np.intp], pole: Complex, whirl: Array) -> Complex:
-        """The poles of the machine that measured modes are (n,)."""
-        apart = np.abs(np.log(2.0 * np.pi * self.frequency[here, None] / np.abs(pole)))
-        cost = apart / FAR
+    def _paired(self, measured: NDArray[np.intp], pole: Complex, whirl: Array) -> Complex:
+        """Poles of the computed modes assigned to measured modes ``measured`` (n,)."""
+        distance = np.abs(np.log(2.0 * np.pi * self.frequency[measured, None] / np.abs(pole)))
+        cost = distance / FAR
         if self.whirl:
-            wanted = np.array([WHIRLS[self.whirl[k]] for k in here])
-            cost = cost + OTHER * (wanted[:, None] * whirl < 0.0)
-        rows, columns = assigned(cost, apart)
-        if len(rows) < len(here):
+            direction = np.array([WHIRLS[self.whirl[k]] for k in measured])
+            cost = cost + OTHER * (direction[:, None] * whirl < 0.0)
+        rows, columns = assigned(cost, distance)
+        if len(rows) < len(measured):
             raise NoSolution(f"measurement {self.name}: the machine has too few modes")
         return np.asarray(pole[columns])[np.argsort(rows)]
 
 
 def _bending(scene: Scene, row: int) -> tuple[Complex, Array]:
-    """Poles that swing in bending at a speed, and their whirl (k,)."""
-    every = [scene.system(k).at(np.array([row])) for k in scene.with_motions(("bending",))]
-    pole = np.concatenate([motions.pole[0] for motions in every])
-    whirl = np.concatenate([motions.whirl[0] for motions in every])
-    swings = np.isfinite(pole) & (pole.imag > SWINGS * np.abs(pole))
-    return pole[swings], whirl[swings]
+    """Poles of oscillating bending modes at a speed, and their whirl (k,)."""
+    solved = [scene.system(k).at(np.array([row])) for k in scene.with_motions(("bending",))]
+    pole = np.concatenate([motions.pole[0] for motions in solved])
+    whirl = np.concatenate([motions.whirl[0] for motions in solved])
+    oscillates = np.isfinite(pole) & (pole.imag > SWINGS * np.abs(pole))
+    return pole[oscillates], whirl[oscillates]

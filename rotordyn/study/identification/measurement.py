@@ -1,29 +1,28 @@
-"""What a measurement is. To add a kind:
+"""The contract of a measurement. To add a kind:
 
-1. A class in a file of its own, frozen, that has what ``Measurement`` lists. All its numbers are in
-   SI units; complex ones are split into two real rows each.
-2. ``data``: a ``Data``, what was observed, with the standard deviation of the noise of every
-   number, and what the rig adds to it linearly (``columns``: tare, drift), each with the standard
-   deviation of its prior; infinite where nothing is known of it. ``Data`` refuses what cannot be
-   fitted: missing or repeated points, a deviation of zero.
-3. ``faults(case)``: sentences about what of the case contradicts it (an unknown sleeve, an analysis
-   that the case lacks). They are said before anything is solved.
-4. ``speeds(case)``: speeds [rad/s] at which it needs machines solved; ``analyses(case)``: what it
-   asks of the case there, name to spec; nothing where it solves by itself (``AsksNothing``).
-5. ``predicted(trial)``: what a machine would show (n,) without tare and drift. ``trial.case`` is
-   the case with trial values; ``trial.results`` answers to all ``analyses`` at all ``speeds``,
-   solved once for all measurements; ``trial.axial`` the shaft along its axis with friction.
-   What has no solution raises ``NoSolution``, ``InvalidInput`` or ``BearingError``: the search then
-   steps back. A number that does not exist is NaN and counts as that.
-6. Its keys in files: a class and a line in ``rotordyn.case.identification``, and in ``kinds`` what
-   is made of them.
-7. If it likes: ``step``, of an unknown's scale, by which ``predicted`` is differentiated;
-   ``blurred``, the same measurement seen less sharply, from the vaguest on, each with all of the
-   above: a search goes through them first; ``carried``, how many numbers its points tell, where
-   these are fewer; ``beside(trial)``, a ``Beside`` of the best machine.
+1. Write a frozen class in its own file that has the members of ``Measurement``. All numbers are in
+   SI units; complex ones are split into two real rows.
+2. ``data``: a ``Data`` with the observed values, the standard deviation of the noise of each, and
+   linear effects of the rig (``columns``: tare, drift), each with the standard deviation of its
+   prior, infinite if unknown. ``Data`` refuses missing or repeated points and a deviation of zero.
+3. ``faults(case)``: sentences on contradictions with the case (an unknown sleeve, a missing
+   analysis). They are raised before anything is solved.
+4. ``speeds(case)``: speeds [rad/s] at which it needs results; ``analyses(case)``: the analyses it
+   needs there, spec by name; both empty if it solves the machine itself (``AsksNothing``).
+5. ``predicted(trial)``: predicted values (n,) without tare and drift. ``trial.case`` is the case
+   with trial values; ``trial.results`` holds results of all ``analyses`` at all ``speeds``, solved
+   once for all measurements; ``trial.axial`` the axial arrangement with friction. Without a
+   solution it raises ``NoSolution``, ``InvalidInput`` or ``BearingError``, and the search steps
+   back; so it does if a value is NaN.
+6. Keys in files: a class and a line in ``rotordyn.case.identification``, and a function in
+   ``kinds`` that makes the measurement.
+7. Optional members: ``step``, of finite differences of ``predicted``, over the scale of an unknown;
+   ``blurred``, smoothed versions of the measurement, smoothest first, each with all of the above,
+   through which a search goes first; ``carried``, the number of independent values in the points;
+   ``beside(trial)``, a ``Beside`` of the best machine.
 
-The search knows nothing of kinds: it weighs differences by deviations, takes out ``columns`` by
-linear least squares, and differentiates ``predicted`` by small steps.
+The search does not depend on kinds: it weighs differences by deviations, eliminates ``columns`` by
+linear least squares, and differentiates ``predicted`` by finite differences.
 """
 
 from __future__ import annotations
@@ -45,11 +44,11 @@ FEW = 4  # points of a measurement from which it is drawn as a curve
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Data:
-    """What was observed: ``observed`` and ``deviation`` of its noise (n,) [SI].
+    """Observations: ``observed`` values and standard ``deviation`` of their noise (n,) [SI].
 
-    ``columns`` (n, k): what one unit of each of k nuisances adds, ``column_deviation`` (k,) of
-    their priors, ``column_names``. For people: ``unit``, and ``factor`` from SI to it; ``at`` (n,):
-    abscissa as printed, ``along`` its label; ``series`` (n,): which curve a point belongs to.
+    ``columns`` (n, k): effect of one unit of each of k nuisance parameters, ``column_deviation``
+    (k,) of their priors, ``column_names``. For printing: ``unit``, and ``factor`` from SI to it;
+    ``at`` (n,): abscissa, ``along`` its label; ``series`` (n,): name of the curve of a point.
     """
 
     name: str
@@ -80,14 +79,14 @@ class Data:
 
     @property
     def swamped(self) -> bool:
-        """Whether the noise is as large as all that the points differ by."""
+        """Whether the noise exceeds the range of the observed values."""
         n = len(self.observed)
         return n > 2 and bool(np.ptp(self.observed) < self.deviation.min())
 
 
 class Beside(NamedTuple):
-    """What a measurement says of a machine beside differences: a table called ``name``, its
-    ``head`` and ``rows``, and ``remarks``, sentences for the verdict."""
+    """Further comparison of a measurement with a machine: a table ``name`` with its ``head`` and
+    ``rows``, and ``remarks``, sentences for the verdict."""
 
     name: str
     head: tuple[str, ...]
@@ -96,19 +95,19 @@ class Beside(NamedTuple):
 
 
 class AsksNothing:
-    """A measurement that solves the machine at its own speeds, by its equation of motion alone."""
+    """Base of measurements that need no analysis: they solve the equation of motion themselves."""
 
     def speeds(self, case: Case) -> tuple[float, ...]:
-        """None."""
+        """No speeds."""
         return ()
 
     def analyses(self, case: Case) -> Mapping[str, Any]:
-        """None."""
+        """No analyses."""
         return {}
 
 
 class Measurement(Protocol):
-    """A kind of measurement; see above."""
+    """Members of a measurement; see the module."""
 
     @property
     def data(self) -> Data: ...

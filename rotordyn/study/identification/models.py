@@ -1,4 +1,4 @@
-"""What is held against measurements side by side: hypotheses of a case, phases of a story."""
+"""Models that are compared: combinations of hypotheses, and phases with different unknowns."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ MOST = 200
 
 @dataclass(frozen=True, slots=True)
 class Phase:
-    """A model of a story: which ``unknowns`` are sought, by path or name, None for all; ``values``
-    by path that it holds fixed."""
+    """A phase of an identification: the ``unknowns`` sought in it, by path or name, None for all;
+    fixed ``values`` by path."""
 
     unknowns: tuple[str, ...] | None = None
     values: Mapping[str, Any] = field(default_factory=dict)
@@ -32,7 +32,7 @@ class Phase:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Model:
-    """A ``case`` with the ``unknowns`` that are sought of it, and what it ``holds`` by path."""
+    """A ``case``, the ``unknowns`` sought in it, and fixed values that it ``holds``, by path."""
 
     name: str
     case: Case
@@ -46,11 +46,11 @@ def models(
     hypotheses: Mapping[str, Sequence[Any]],
     phases: Mapping[str, Phase],
 ) -> tuple[Model, ...]:
-    """Every combination of hypotheses, of every phase.
+    """Models of every combination of hypotheses, in every phase.
 
     Raises
     ------
-    InvalidInput : a path or value that cannot be, an unknown that is none, too many models
+    InvalidInput : an invalid path or value, a name that is no unknown, too many models
     """
     for path, values in hypotheses.items():
         if isinstance(values, str) or not len(values):
@@ -58,16 +58,16 @@ def models(
         if twice := [value for value in values if list(values).count(value) > 1]:
             raise InvalidInput(f"{path}: {shown(twice[0])} is given twice: once is a hypothesis")
         if not found_at(case, path):
-            vary(case, {path: values[0]})  # which says where the path goes astray
+            vary(case, {path: values[0]})  # raises with the part of the path that does not exist
         if any(path in (each.path, *each.also) for each in unknowns):
             raise InvalidInput(f"{path}: is an unknown and a hypothesis: one of both")
-    story = phases or {"": Phase()}
+    all_phases = phases or {"": Phase()}
     combined = [dict(zip(hypotheses, each, strict=True)) for each in product(*hypotheses.values())]
-    if len(story) * len(combined) > MOST:
-        raise InvalidInput(f"{len(story) * len(combined)} models: allowed are up to {MOST}")
+    if len(all_phases) * len(combined) > MOST:
+        raise InvalidInput(f"{len(all_phases) * len(combined)} models: allowed are up to {MOST}")
     return tuple(
         _model(case, unknowns, name, phase, chosen)
-        for name, phase in story.items()
+        for name, phase in all_phases.items()
         for chosen in combined
     )
 
@@ -97,7 +97,7 @@ def _model(
 
 
 def _said(case: Case, path: str, value: Any) -> str:
-    """A hypothesis in a few words."""
+    """Short text of a hypothesis."""
     name = path.rsplit(".", 1)[-1].replace("_", " ")
     quantity = quantity_of(found_at(case, path)[0][1])
     if quantity is None or not isinstance(value, float | int):

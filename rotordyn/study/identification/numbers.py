@@ -1,4 +1,4 @@
-"""Measured numbers that analyses of the case compute: stiffness, frequencies, loads over speed."""
+"""Measured numbers that an analysis computes, such as stiffness, frequency or load over speed."""
 
 from __future__ import annotations
 
@@ -22,18 +22,19 @@ from rotordyn.units import parse_unit, pretty_unit
 
 Array = NDArray[np.float64]
 RPM = np.pi / 30.0
-ALIKE = 1e-8  # relative difference of speeds that are the same
+ALIKE = 1e-8  # relative difference up to which speeds are equal
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Numbers:
-    """Numbers ``of`` an analysis over ``speed`` [rad/s].
+    """Measured ``values`` (n,) of numbers of an analysis over ``speed`` [rad/s], and their standard
+    ``deviation``, in ``unit``.
 
-    ``of``, ``where``: as of ``Criterion``, besides the speed; headline numbers, "analysis: words",
-    are those of the first and the last of all speeds that measurements ask for; those without a
-    speed of their own, such as a limit, are taken at any, in the order of the analysis, and may
-    depend on all speeds that are asked for. ``values`` (n,) and ``deviation`` in ``unit``.
-    ``nearest``: of several numbers at a speed the nearest to the measured one counts.
+    ``of``, ``where``: see ``Criterion``; the speed is selected by ``speed``. Headline numbers,
+    "analysis: words", exist at the first and the last of the speeds of all measurements; those
+    without a speed, such as a limit, are taken in the order of the analysis and may depend on all
+    speeds. ``nearest``: of several numbers at a speed, the one nearest to the measured value is
+    compared.
     """
 
     name: str
@@ -62,7 +63,7 @@ class Numbers:
 
     @cached_property
     def data(self) -> Data:
-        """Every point."""
+        """All points."""
         scale, n = parse_unit(self.unit).scale, len(self.values)
         return Data(
             self.name,
@@ -76,7 +77,7 @@ class Numbers:
         )
 
     def faults(self, case: Case) -> Iterator[str]:
-        """An analysis that the case lacks; neither words nor a variable."""
+        """Yield faults: an analysis that the case lacks; no number or variable named."""
         name = self._criterion.analysis
         if name not in case.analyses:
             yield (
@@ -90,20 +91,20 @@ class Numbers:
             )
 
     def speeds(self, case: Case) -> Iterator[float]:
-        """Those of the points."""
+        """Yield the distinct speeds of the points, ascending."""
         yield from sorted(set(self.speed.tolist()))
 
     def analyses(self, case: Case) -> Mapping[str, Any]:
-        """The one whose numbers these are, as the case asks it."""
+        """The analysis of the numbers, with the spec of the case."""
         name = self._criterion.analysis
         return {name: analysis(name).lean(case.analyses[name])}
 
     def predicted(self, trial: Trial) -> Array:
-        """Numbers of the machine (n,) [SI].
+        """Predicted numbers (n,) [SI].
 
         Raises
         ------
-        InvalidInput : other numbers than were measured, or in another unit
+        InvalidInput : the analysis has another count of numbers, or another unit
         """
         observed = self.data.observed
         if ":" in self.of:
@@ -115,7 +116,7 @@ class Numbers:
         return np.concatenate(parts)
 
     def _by_words(self, trial: Trial, observed: Array) -> Array:
-        """Headline numbers, each of the speed at which it was measured."""
+        """Predicted headline numbers, each at its measured speed."""
         values, speeds, names = self._read(trial, {})
         if not speeds:
             return self._picked(values, observed)
@@ -167,7 +168,7 @@ class Numbers:
         return reading.values * unit.scale, reading.speeds, reading.names
 
     def _picked(self, values: Array, observed: Array) -> Array:
-        """Of the values of the machine one for each that was observed."""
+        """Select one computed value for each observed one."""
         if self.nearest and len(values):
             return values[np.abs(values[:, None] - observed).argmin(axis=0)]
         if len(values) != len(observed):

@@ -1,4 +1,4 @@
-"""Points that stand far off where the mean absolute difference is made least."""
+"""Outliers of a fit of least absolute differences."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from rotordyn.study.identification.certainty import Certainty
 from rotordyn.study.identification.measurement import Measurement
 
 Array = NDArray[np.float64]
-FAR = 5.0  # deviations of the others: noise has hardly any
-MOST = 4  # that are named
+FAR = 5.0  # robust standard deviations from which a point is an outlier
+MOST = 4  # outliers that are named
 
 
 def outliers(
     measurements: Sequence[Measurement], residuals: Sequence[Array], sure: Certainty
 ) -> Iterator[str]:
-    """A sentence that names them, the farthest first; none where none stands off."""
-    found = []
+    """Yield a sentence that names the outliers, the farthest first, if there are any."""
+    far = []
     for each, residual in zip(measurements, residuals, strict=True):
         data = each.data
         size = np.abs(residual) / (data.deviation * sure.birge)
@@ -27,12 +27,12 @@ def outliers(
             at, unit = f"{data.at[k]:.6g}", data.along.partition("[")[2].removesuffix("]")
             where = " ".join(filter(None, (data.name, data.series[k], "at", at, unit)))
             by = f"{residual[k] * data.factor:+.3g} {data.unit}".strip()
-            found.append((float(size[k]), f"{where} by {by}"))
-    if found:
-        found.sort(key=lambda each: -each[0])
-        more = f" and {len(found) - MOST} more" if len(found) > MOST else ""
+            far.append((float(size[k]), f"{where} by {by}"))
+    if far:
+        far.sort(key=lambda each: -each[0])
+        more = f" and {len(far) - MOST} more" if len(far) > MOST else ""
         yield (
             f"points that stand off by more than {FAR:g} deviations of the others: "
-            f"{'; '.join(words for _, words in found[:MOST])}{more}; measure them again: beside "
+            f"{'; '.join(words for _, words in far[:MOST])}{more}; measure them again: beside "
             "a kink, or where few points determine a value, intervals do not know of them"
         )

@@ -1,4 +1,4 @@
-"""The folder of an identification as one HTML page."""
+"""HTML page of the folder of an identification."""
 
 from __future__ import annotations
 
@@ -37,14 +37,14 @@ from rotordyn.study.identification.profile import AT_BOUND
 from rotordyn.study.identification.searches import JOURNAL
 from rotordyn.study.identification.summary import MOST_WRITTEN, decimals
 
-FILES = (DATASET, JOURNAL)  # one of which a folder of an identification has
-CELL, ROOM = 34, 190  # px of a row of correlations, and of what surrounds them
+FILES = (DATASET, JOURNAL)  # the folder of an identification has one of them
+CELL, ROOM = 34, 190  # px: height of a row of correlations, and of title, ticks and margins
 DOUBTS = (UNIDENTIFIABLE, BY_ITS_PRIOR, UNDECIDED, UNFINISHED)
 RED_TO_BLUE = [[0.0, COLOURS[0]], [0.5, "#F2F2F2"], [1.0, COLOURS[1]]]
 
 
 class Held(NamedTuple):
-    """What is read of the folder: ``about`` it, its tables by name, ``correlation`` of the
+    """Content of the folder: attributes ``about`` it, tables by name, ``correlation`` of the
     unknowns, ``threshold`` of profiles."""
 
     about: dict[str, Any]
@@ -58,7 +58,7 @@ class Held(NamedTuple):
 
     @property
     def verdict(self) -> list[str]:
-        """In sentences."""
+        """Sentences of the verdict."""
         return str(self.about["verdict"]).split("\n")
 
     @property
@@ -68,24 +68,24 @@ class Held(NamedTuple):
 
 
 def identification_page(folder: Path) -> Page:
-    """What the page of an identification shows.
+    """Build the page of an identification.
 
     Raises
     ------
-    InvalidInput : the search did not end, or another version wrote it
+    InvalidInput : the search did not end, or another version wrote the folder
     """
-    held = _read(folder)
-    first, *others = held.verdict
+    content = _read(folder)
+    first, *others = content.verdict
     grave = first.startswith(INSUFFICIENT)
     doubts = any(line.startswith(DOUBTS) for line in others)
-    stopped = " Stopped before the end: the best so far." if held.about["stopped"] else ""
+    stopped = " Stopped before the end: the best so far." if content.about["stopped"] else ""
     return Page(
-        title=str(held.about["title"]),
-        about=["Identification: a case held against what was measured", held.date],
+        title=str(content.about["title"]),
+        about=["Identification: a case held against what was measured", content.date],
         verdict=f"{'✕' if grave else '⚠' if doubts or stopped else '✓'} {first}.{stopped}",
         grave=grave,
-        sections=sections([*_blocks(held)]),
-        footer=f"{held.about['source']}. {held.date}",
+        sections=sections([*_blocks(content)]),
+        footer=f"{content.about['source']}. {content.date}",
     )
 
 
@@ -106,68 +106,68 @@ def _read(folder: Path) -> Held:
         case = best.read_text(encoding="utf-8") if best.exists() else ""
         written = datetime.fromtimestamp((folder / DATASET).stat().st_mtime, UTC)
         date = f"{written:%Y-%m-%d %H:%M UTC}"
-        held = Held(about, summary, case, tables, beside, correlation, threshold, date)
+        content = Held(about, summary, case, tables, beside, correlation, threshold, date)
         tables["differences"]["along"], about["verdict"], about["stopped"]
     except (OSError, ValueError, KeyError, IndexError) as error:
         raise InvalidInput(
             f"{folder} holds an identification that is not complete, or of another version "
             f"({error}): the same rotordyn identify goes on with it"
         ) from None
-    return held
+    return content
 
 
 def _table(path: Path) -> dict[str, Column]:
     return {column.heading: column for column in read_columns(path)}
 
 
-def _blocks(held: Held) -> Iterator[tuple[str, Block]]:
-    yield "Verdict", Text(held.verdict[1:], listed=True)
-    yield "Verdict", _values(held)
-    yield "Verdict", Printed("Summary", held.summary)
-    if len(held.tables["models"]["model"].words) > 1:
-        yield "Models by evidence", _models(held)
-    if len(held.unknowns) > 1:
-        yield "Correlation", _correlation(held)
-    for block in curve_blocks(Curves.of(held.tables["differences"])):
+def _blocks(content: Held) -> Iterator[tuple[str, Block]]:
+    yield "Verdict", Text(content.verdict[1:], listed=True)
+    yield "Verdict", _values(content)
+    yield "Verdict", Printed("Summary", content.summary)
+    if len(content.tables["models"]["model"].words) > 1:
+        yield "Models by evidence", _models(content)
+    if len(content.unknowns) > 1:
+        yield "Correlation", _correlation(content)
+    for block in curve_blocks(Curves.of(content.tables["differences"])):
         yield "Measured and computed", block
-    for name in held.beside:
+    for name in content.beside:
         title = name.replace("_", " ")
-        columns = list(held.tables[name].values())
+        columns = list(content.tables[name].values())
         yield "Measured and computed", table_of(title, columns, f"{name}.csv")
-    if "profiles" in held.tables:
-        yield "Profiles", _profiles(held)
-    if "predictions" in held.tables:
-        yield "Predictions", _predictions(held)
-    if held.best:
-        yield "The identified machine as a case", Printed(BEST, held.best)
-    origin = [("made with", str(held.about["source"])), ("date", held.date)]
-    origin.append(("SHA-256 of what was read", str(held.about.get("digest", ""))))
+    if "profiles" in content.tables:
+        yield "Profiles", _profiles(content)
+    if "predictions" in content.tables:
+        yield "Predictions", _predictions(content)
+    if content.best:
+        yield "The identified machine as a case", Printed(BEST, content.best)
+    origin = [("made with", str(content.about["source"])), ("date", content.date)]
+    origin.append(("SHA-256 of what was read", str(content.about.get("digest", ""))))
     yield "Origin", Table("Origin", ("", ""), origin)
 
 
-def _values(held: Held) -> Table:
-    """Every unknown with its interval, and the word about it."""
-    of = held.tables["values"]
-    profiled = "lower end by profile" in of
+def _values(content: Held) -> Table:
+    """Table of the unknowns with interval and verdict."""
+    table = content.tables["values"]
+    profiled = "lower end by profile" in table
     rows = []
-    for k, name in enumerate(held.unknowns):
-        ends = [float(of[f"{end} end of 95 %"].values[k]) for end in ("lower", "upper")]
-        value, unit = float(of["value"].values[k]), of["unit"].words[k]
-        digits, word = decimals(ends[0], ends[1], value), of["verdict"].words[k]
-        bounds = [float(of[f"{end} bound"].values[k]) for end in ("lower", "upper")]
+    for k, name in enumerate(content.unknowns):
+        ends = [float(table[f"{end} end of 95 %"].values[k]) for end in ("lower", "upper")]
+        value, unit = float(table["value"].values[k]), table["unit"].words[k]
+        digits, word = decimals(ends[0], ends[1], value), table["verdict"].words[k]
+        bounds = [float(table[f"{end} bound"].values[k]) for end in ("lower", "upper")]
         between = "–" if word == ON_A_BOUND else _between(ends, digits, bounds)
         cells = [f"{name} [{unit}]" if unit else name]
         cells += [sized(value, digits, *ends), between]
         if profiled:
-            other = [float(of[f"{end} end by profile"].values[k]) for end in ("lower", "upper")]
+            other = [float(table[f"{end} end by profile"].values[k]) for end in ("lower", "upper")]
             cells.append(_between(other, digits, bounds))
-        rows.append([*cells, word, of["path"].words[k]])
+        rows.append([*cells, word, table["path"].words[k]])
     head = ["", "value", "95 %", *["by profile"] * profiled, "", "path"]
     return Table("What was found", head, rows)
 
 
 def _between(ends: Sequence[float], digits: int, bounds: Sequence[float] = (np.nan, np.nan)) -> str:
-    """Both ends, a word before one that is a bound."""
+    """Text of both ends of an interval; an end that is a bound is marked."""
     if np.isnan(ends).any():
         return "–"
     pairs = zip(ends, bounds, strict=True)
@@ -176,9 +176,9 @@ def _between(ends: Sequence[float], digits: int, bounds: Sequence[float] = (np.n
     )
 
 
-def _models(held: Held) -> Table:
-    """Every model, its evidence and its values."""
-    model, above, squares, *values = held.tables["models"].values()
+def _models(content: Held) -> Table:
+    """Table of the models with evidence and values."""
+    model, above, squares, *values = content.tables["models"].values()
     rows = []
     for k, name in enumerate(model.words):
         numbers = [each.values[k] for each in (above, squares, *values)]
@@ -191,10 +191,12 @@ def _models(held: Held) -> Table:
     return Table("Models by evidence", head, rows, note)
 
 
-def _correlation(held: Held) -> Chart:
-    """Correlations of the unknowns; empty of those on a bound."""
-    names, count = held.unknowns, len(held.unknowns)
-    known = [[value if np.isfinite(value) else None for value in row] for row in held.correlation]
+def _correlation(content: Held) -> Chart:
+    """Heat map of the correlations of the unknowns; blank for those on a bound."""
+    names, count = content.unknowns, len(content.unknowns)
+    known = [
+        [value if np.isfinite(value) else None for value in row] for row in content.correlation
+    ]
     words = [["" if v is None else f"{v:.2f}".replace("-", "−") for v in row] for row in known]
     trace = {
         "type": "heatmap",
@@ -218,31 +220,31 @@ def _correlation(held: Held) -> Chart:
     return Chart("Correlation", [trace], layout, note=note, wide=True, tall=ROOM + CELL * count)
 
 
-def _profiles(held: Held) -> Chart:
-    """χ² above the best over an unknown that is chosen, the parabola of its linear interval."""
-    of, values = held.tables["profiles"], held.tables["values"]
-    paths = list(dict.fromkeys(of["path"].words))
+def _profiles(content: Held) -> Chart:
+    """Chart of χ² above the best over a selected unknown, with the parabola of linear intervals."""
+    table, values = content.tables["profiles"], content.tables["values"]
+    paths = list(dict.fromkeys(table["path"].words))
     lines: list[dict[str, list[list[float]]]] = [{"x": [], "y": []} for _ in range(3)]
     heads = []
     for path in paths:
         k = list(values["path"].words).index(path)
-        rows = np.array([word == path for word in of["path"].words])
-        at, excess = of["value"].values[rows], of["chi squared above the best"].values[rows]
+        rows = np.array([word == path for word in table["path"].words])
+        at, excess = table["value"].values[rows], table["chi squared above the best"].values[rows]
         along = np.linspace(at.min(), at.max(), 61)
         best, size = (float(values[h].values[k]) for h in ("value", "standard deviation"))
         parabola = ((along - best) / size) ** 2 if size > 0.0 else np.full(len(along), np.nan)
         ends = [float(at.min()), float(at.max())]
-        drawn = ((at, excess), (along, parabola), (ends, [held.threshold] * 2))
+        drawn = ((at, excess), (along, parabola), (ends, [content.threshold] * 2))
         for line, (x, y) in zip(lines, drawn, strict=True):
             line["x"].append(list(x))
             line["y"].append(list(y))
         heads.append(f"{values['name'].words[k]} [{values['unit'].words[k] or '–'}]")
-    looks = (
+    styles = (
         {"name": "profile", "mode": "lines+markers", "line": {"color": COLOURS[0]}},
         {"name": "linear", "mode": "lines", "line": {"color": FAINT, "dash": "dash"}},
         {"name": "95 %", "mode": "lines", "line": {"color": COLOURS[1]}},
     )
-    traces = [{**look, "moving": line} for look, line in zip(looks, lines, strict=True)]
+    traces = [{**style, "moving": line} for style, line in zip(styles, lines, strict=True)]
     layout = {
         "xaxis": axis(""),
         "yaxis": axis("χ² above the best"),
@@ -253,22 +255,22 @@ def _profiles(held: Held) -> Chart:
     return Chart("Profiles", traces, layout, controls, note=note, wide=True)
 
 
-def _predictions(held: Held) -> Table:
-    """Numbers of the identified machine."""
-    of = held.tables["predictions"]
-    several = "least over surviving models" in of
+def _predictions(content: Held) -> Table:
+    """Table of the predicted numbers."""
+    table = content.tables["predictions"]
+    several = "least over surviving models" in table
     pairs = [("low", "high")]
     pairs += [("least over surviving models", "most over surviving models")] * several
     rows = []
-    for k, name in enumerate(of["name"].words):
-        unit = of["unit"].words[k]
-        low, high, value = (float(of[end].values[k]) for end in ("low", "high", "value"))
+    for k, name in enumerate(table["name"].words):
+        unit = table["unit"].words[k]
+        low, high, value = (float(table[end].values[k]) for end in ("low", "high", "value"))
         digits = decimals(low, high, value)
         cells = [f"{name} [{unit}]" if unit else name, sized(value, digits, low, high)]
-        bound = of[ON_A_BOUND].words[k] if ON_A_BOUND in of else ""
-        parts = [_between([float(of[end].values[k]) for end in pair], digits) for pair in pairs]
+        bound = table[ON_A_BOUND].words[k] if ON_A_BOUND in table else ""
+        parts = [_between([float(table[end].values[k]) for end in pair], digits) for pair in pairs]
         cells += [f"–, {bound} {ON_A_BOUND}" if bound else parts[0], *parts[1:]]
-        known = of["measured"].values[k]
+        known = table["measured"].values[k]
         rows.append([*cells, f"{known:.4g}" if np.isfinite(known) else "–"])
     head = ["", "value", "95 %", *["over surviving models"] * several, "measured"]
     note = "The interval does not know what the model lacks."

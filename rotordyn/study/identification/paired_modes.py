@@ -1,9 +1,9 @@
-"""Modes that measured responses have in common beside those of a machine, speed by speed.
+"""Pair the modes fitted to measured responses with those of a machine, speed by speed.
 
-Pairs are those of the least sum of ln(frequency ratio)/``FAR`` + 1 − MAC over all modes of a speed,
-the MAC being that of the residues in the measured pairs (H. Kuhn's assignment); a measured mode
-without a partner counts ``ALONE``. Responses in two planes turn the phase of residues by the
-direction of whirl, so that forward goes with forward.
+The pairs minimise the sum of |ln(frequency ratio)|/``FAR`` + 1 − MAC over all modes of a speed
+(H. Kuhn's assignment), the MAC being that of the residues of the measured responses; a measured
+mode without a partner costs ``ALONE``. Responses in two planes contain the direction of whirl in
+the phases of the residues, so that forward modes pair with forward ones.
 """
 
 from __future__ import annotations
@@ -25,16 +25,16 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-FAR = 0.2  # of a frequency: as far apart as modes of MAC 0
-ALONE = 1.5  # as of a pair of MAC 1, 35 % apart: farther ones are no pair
-SWINGS = 1e-3  # Im λ over |λ| below which nothing swings
-APART = 0.5  # ln of frequencies beyond which two modes are no pair, whatever is left alone
-SURE = 0.02  # relative deviation of a frequency above which a fitted pole is no mode
-DAMPED = 0.3  # damping ratio above which it is none
-WIDTHS = 4.0  # half-widths within which a mode hides beside another
-SEEN = 5.0  # deviations of the noise above which a mode of the machine should be measured
-FELT = 1.0  # above which it changes the one that it hides beside
-NOISIER = 1.2  # scatter about the modes over the stated noise
+FAR = 0.2  # ln of the frequency ratio that costs as much as a MAC of 0
+ALONE = 1.5  # cost of a mode without a partner, that of a pair of MAC 1 with 35 % in frequency
+SWINGS = 1e-3  # Im λ over |λ| above which a pole oscillates
+APART = 0.5  # |ln(frequency ratio)| above which two modes are never paired
+SURE = 0.02  # relative deviation of the frequency above which a fitted pole is not a mode
+DAMPED = 0.3  # damping ratio above which a fitted pole is not a mode
+WIDTHS = 4.0  # half-widths of peaks within which a mode is hidden by another
+SEEN = 5.0  # peak over noise from which a computed mode should have been measured
+FELT = 1.0  # peak over noise from which a hidden mode affects the measured one
+NOISIER = 1.2  # scatter about the fitted modes over the stated noise that is remarked
 HEAD = (
     "speed [rpm]",
     "measured [Hz]",
@@ -49,9 +49,9 @@ HEAD = (
 
 @dataclass(frozen=True, slots=True)
 class Mode:
-    """A mode at a ``speed`` [rad/s]: ``frequency`` [Hz] and ``damping`` ratio as ``measured`` with
-    their standard deviations, and as ``computed``; ``mac`` of its residues. NaN where there is
-    none. ``joined``: several modes of the machine lie where this one was measured."""
+    """Paired modes at a ``speed`` [rad/s]: ``measured`` frequency [Hz] and ``damping`` ratio with
+    their standard deviations, ``computed`` ones, and ``mac`` of the residues; NaN where a partner
+    is missing. ``joined``: several computed modes lie where this one was measured."""
 
     speed: float
     measured: float
@@ -65,12 +65,12 @@ class Mode:
 
 
 def paired_modes(of: Responses, trial: Trial) -> list[Mode]:
-    """Every measured mode within the band, and every computed one that should have been seen."""
+    """All measured modes within the band, and computed ones that should have been measured."""
     return [mode for speed in of.speed for mode in _at(of, trial, speed)]
 
 
 def _remarks(of: Responses, modes: list[Mode]) -> Iterator[str]:
-    """What the modes say against the machine, and the number of poles against the noise."""
+    """Yield sentences on unpaired or joined modes, and on scatter beyond the stated noise."""
     for mode in modes:
         at = f"at {mode.speed * RPM.factor:.0f} rpm"
         if np.isnan(mode.computed):
@@ -96,7 +96,7 @@ def _remarks(of: Responses, modes: list[Mode]) -> Iterator[str]:
 
 
 def beside(of: Responses, trial: Trial) -> Beside:
-    """Both as a table, and what they say against the machine."""
+    """Table of the paired modes, and remarks on them."""
     modes = paired_modes(of, trial)
     rows = [
         (
@@ -133,13 +133,15 @@ def _at(of: Responses, trial: Trial, speed: float) -> Iterator[Mode]:
     known, shape = fit.fit.pole[mode], fit.fit.residue[mode]
     pole, residue, width = _merged(pole, residue, known)
     mac = _mac(shape, residue)
-    apart = np.abs(np.log(np.abs(known)[:, None] / np.abs(pole)))
-    rows, columns = assigned(apart / FAR + 1.0 - mac, apart, ALONE)
+    distance = np.abs(np.log(np.abs(known)[:, None] / np.abs(pole)))
+    rows, columns = assigned(distance / FAR + 1.0 - mac, distance, ALONE)
     partner = dict(zip(rows, columns, strict=True))
     inside = (omega[0] < pole.imag) & (pole.imag < omega[-1])
-    alone = [j for j in np.flatnonzero(inside).tolist() if j not in columns]
-    height = {j: _height(of, speed, complex(pole[j]), residue[j]) for j in alone}
-    bent = width**2 / (4.0 * np.abs(pole.real))  # how far off a pole fitted to two like ones may be
+    unpaired = [j for j in np.flatnonzero(inside).tolist() if j not in columns]
+    height = {j: _height(of, speed, complex(pole[j]), residue[j]) for j in unpaired}
+    offset = width**2 / (
+        4.0 * np.abs(pole.real)
+    )  # how far off a pole fitted to two like ones may be
     reach = WIDTHS * np.add.outer(np.abs(known.real), np.abs(pole.real))
     near = np.abs(np.subtract.outer(known, pole)) < reach
     for k in np.argsort(known.imag).tolist():
@@ -151,10 +153,10 @@ def _at(of: Responses, trial: Trial, speed: float) -> Iterator[Mode]:
             float(-known[k].real / np.abs(known[k])),
             float(relative[mode][k, 0]),
             *(_said(complex(pole[j]), mac[k, j]) if j is not None else (np.nan, np.nan, np.nan)),
-            joined=any(near[k, i] and height[i] > FELT for i in alone)
-            or (j is not None and bool(bent[j] > fit.deviation[mode][k, 1])),
+            joined=any(near[k, i] and height[i] > FELT for i in unpaired)
+            or (j is not None and bool(offset[j] > fit.deviation[mode][k, 1])),
         )
-    for j in alone:
+    for j in unpaired:
         if not near[:, j].any() and height[j] > SEEN:
             none = (np.nan,) * 4
             yield Mode(speed, *none, *_said(complex(pole[j]), np.nan))
@@ -165,28 +167,29 @@ def _said(pole: complex, mac: float) -> tuple[float, float, float]:
 
 
 def _computed(of: Responses, trial: Trial, speed: float) -> tuple[Complex, Complex]:
-    """Poles (k,) that swing and their residues (k, pairs) in the responses of a speed."""
+    """Oscillating poles (k,) of the machine and their residues (k, pairs) in the responses."""
     scene = of.scene(trial)
     at = np.array([of.speed.index(speed)])
-    every = of.of_speed(speed)
+    responses = of.of_speed(speed)
     poles, residues = [], []
-    owned = [of.owners(scene, one) for one in every]
-    for k in sorted({a for a, b in owned if a == b}):
+    owners = [of.owners(scene, response) for response in responses]
+    for k in sorted({a for a, b in owners if a == b}):
         motions: FreeMotions = scene.system(k).at(at)
-        rows = np.zeros((2, len(every), motions.linear.size))
-        for place, (one, owner) in enumerate(zip(every, owned, strict=True)):
+        rows = np.zeros((2, len(responses), motions.linear.size))
+        for index, (response, owner) in enumerate(zip(responses, owners, strict=True)):
             if owner == (k, k):
-                rows[:, place] = of.rows(scene, k, one)
+                rows[:, index] = of.rows(scene, k, response)
         poles.append(motions.pole[0])
         residues.append(((rows[0] @ motions.vector[0]) * (motions.left[0] @ rows[1].T).T).T)
     pole, residue = np.concatenate(poles), np.concatenate(residues)
-    swings = np.isfinite(pole) & (pole.imag > SWINGS * np.abs(pole))
-    return pole[swings], residue[swings]
+    oscillates = np.isfinite(pole) & (pole.imag > SWINGS * np.abs(pole))
+    return pole[oscillates], residue[oscillates]
 
 
 def _merged(pole: Complex, residue: Complex, known: Complex) -> tuple[Complex, Complex, Array]:
-    """Without poles that no pair sees; of those nearer than their widths one, as they are seen,
-    unless several are ``known`` there by the measurement. Also how far apart these are (k,)."""
+    """Drop poles that appear in no response, and merge poles closer than their widths, weighted by
+    their residues, unless several are ``known`` there by the measurement. Also returns the distance
+    of the merged ones (k,)."""
     size = np.abs(residue).sum(axis=1)
     order = np.argsort(pole.imag)
     kept: list[tuple[complex, Complex, float, float]] = []
@@ -201,8 +204,8 @@ def _merged(pole: Complex, residue: Complex, known: Complex) -> tuple[Complex, C
         else:
             kept.append((complex(pole[k]), residue[k], float(size[k]), 0.0))
     if not kept:
-        none = np.zeros(0, dtype=complex)
-        return none, np.zeros((0, residue.shape[1]), dtype=complex), np.zeros(0)
+        empty = np.zeros(0, dtype=complex)
+        return empty, np.zeros((0, residue.shape[1]), dtype=complex), np.zeros(0)
     poles, shapes, _, widths = zip(*kept, strict=True)
     return np.array(poles), np.array(shapes), np.array(widths)
 
@@ -214,21 +217,22 @@ def _mac(one: Complex, other: Complex) -> Array:
 
 
 def assigned(cost: Array, apart: Array, alone: float = 1e3) -> tuple[list[int], list[int]]:
-    """Rows and columns of the pairs of least cost, none farther ``apart`` than ``APART``; a row
-    without a partner costs ``alone``."""
+    """Assign rows to columns with the least total cost; return indices of the pairs.
+
+    Pairs farther ``apart`` than ``APART`` are excluded; a row without a partner costs ``alone``."""
     from scipy.optimize import linear_sum_assignment
 
     rows, columns = linear_sum_assignment(
         np.hstack([np.where(apart > APART, 1e3, cost), np.full((len(cost), len(cost)), alone)])
     )
-    good = columns < cost.shape[1]
-    rows, columns = rows[good], columns[good]
-    good = apart[rows, columns] <= APART
-    return rows[good].tolist(), columns[good].tolist()
+    valid = columns < cost.shape[1]
+    rows, columns = rows[valid], columns[valid]
+    valid = apart[rows, columns] <= APART
+    return rows[valid].tolist(), columns[valid].tolist()
 
 
 def _height(of: Responses, speed: float, pole: complex, residue: Complex) -> float:
-    """How high a mode stands in any response, in deviations of the noise."""
+    """Largest peak of a mode in any response, over the standard deviation of the noise."""
     omega = 2.0 * np.pi * np.array(of.of_speed(speed)[0].frequency)
     near = int(np.abs(omega - pole.imag).argmin())
     height = np.abs(residue / (1j * omega[near] - pole))

@@ -1,4 +1,4 @@
-"""Measured points in a CSV file: a head that names columns with units, then numbers."""
+"""Measured points in a CSV file: a header with column names and units, then numbers."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ HEAD = re.compile(r"\s*([\w ]+?)\s*(?:\[([^\]]*)\])?\s*")
 def read_points(
     path: Path, columns: Mapping[str, Quantity | None]
 ) -> tuple[dict[str, Array], dict[str, tuple[str, ...]], tuple[str, ...]]:
-    """Numbers [SI] and words of a table by the name of the column, and the place of each row.
+    """Read a table: numbers [SI] and texts by column name, and file and line of each row.
 
-    ``columns``: by name what it holds, with its range, None of words; all of them are needed.
+    ``columns``: quantity of each column, None for text; all columns are required.
 
     Raises
     ------
-    InvalidInput : no file, a column that is missing, unknown or in a wrong unit, a row that is
-        short or holds no number, or one out of range; the sentence names the file and the line
+    InvalidInput : no file; a column that is missing, unknown or in a wrong unit; a row that is
+        short, holds no number, or one out of range. The sentence names the file and the line
     """
     try:
         lines = path.read_text(encoding="utf-8-sig").splitlines()
@@ -65,26 +65,26 @@ def read_points(
 
 
 def _head(
-    path: Path, line: int, head: list[str], columns: Mapping[str, Quantity | None]
+    path: Path, line: int, cells: list[str], columns: Mapping[str, Quantity | None]
 ) -> dict[int, tuple[str, str]]:
-    """By the place of a column its name and its unit."""
-    found: dict[int, tuple[str, str]] = {}
-    for place, cell in enumerate(head):
+    """Name and unit of each column by its index."""
+    named: dict[int, tuple[str, str]] = {}
+    for place, cell in enumerate(cells):
         match = HEAD.fullmatch(cell)
         name = match.group(1) if match else cell
         if name not in columns:
             raise InvalidInput(
                 f"{path}:{line}: unknown column {shown(cell.strip())}; allowed: {_allowed(columns)}"
             )
-        if name in (known for known, _ in found.values()):
+        if name in (present for present, _ in named.values()):
             raise InvalidInput(f"{path}:{line}: has the column {name} twice")
-        found[place] = name, _unit(path, line, cell, columns[name], match.group(2))  # type: ignore[union-attr]
+        named[place] = name, _unit(path, line, cell, columns[name], match.group(2))  # type: ignore[union-attr]
     for name in columns:
-        if name not in (known for known, _ in found.values()):
+        if name not in (present for present, _ in named.values()):
             raise InvalidInput(
                 f"{path}:{line}: lacks the column {name}; needed: {_allowed(columns)}"
             )
-    return found
+    return named
 
 
 def _unit(path: Path, line: int, cell: str, held: Quantity | None, unit: str | None) -> str:

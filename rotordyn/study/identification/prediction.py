@@ -1,8 +1,8 @@
-"""What the identified machine would show: headline numbers of its case, with their intervals.
+"""Predictions: headline numbers of the identified machine, with their intervals.
 
-By the delta method: the derivatives of a number by the unknowns, and the covariance of these. An
-unknown on a bound is not in that: a number that would change over all that was known of it before
-by more than a small share of its interval has none.
+Intervals follow by the delta method, from the derivatives of a number with respect to the unknowns
+and their covariance. That excludes unknowns on a bound: a number that depends on one of these, by
+more than a small share of its interval, has no interval.
 """
 
 from __future__ import annotations
@@ -25,14 +25,14 @@ from rotordyn.study.identification.unknown import FLAT
 from rotordyn.study.optimum.criterion import Criterion, amount
 
 Array = NDArray[np.float64]
-FOLLOWS = 0.05  # of half an interval: a change below it is left out
-ROUNDING = 1e-6  # of a number: a change below it is none
+FOLLOWS = 0.05  # effect of an unknown on a bound, over half the interval, that is neglected
+ROUNDING = 1e-6  # relative change of a number that is neglected
 
 
 @dataclass(frozen=True, slots=True)
 class Predicted:
-    """What is predicted: ``of`` and ``where`` as of ``Criterion``; ``name`` in tables; a
-    ``measured`` value to show beside it, as printed."""
+    """A number to predict: ``of`` and ``where`` as in ``Criterion``; ``name`` in tables; a
+    ``measured`` value for comparison, as printed."""
 
     of: str
     where: Mapping[str, object] = field(default_factory=dict)
@@ -42,12 +42,12 @@ class Predicted:
 
 @dataclass(frozen=True, slots=True)
 class Prediction:
-    """A number of the identified machine as printed, its 95 % interval, what was measured; NaN
-    where it has no such number.
+    """A predicted number as printed, its 95 % interval, and the measured value; NaN if the
+    identified machine lacks the number.
 
-    ``low`` and ``high`` are NaN of a number that follows unknowns on a ``bound``, these by name.
-    ``least`` and ``most`` of the numbers of all surviving models at their best, where there are
-    several; ``lacking``: those of them that have no such number.
+    ``low`` and ``high`` are NaN if the number depends on unknowns on a ``bound``, listed by name.
+    ``least`` and ``most``: range over the surviving models, if there are several; ``lacking``:
+    names of those without the number.
     """
 
     name: str
@@ -63,11 +63,11 @@ class Prediction:
 
 
 def asked_of(case: Case, wanted: tuple[Predicted, ...]) -> Case:
-    """The case with the analyses that predictions need, and no other.
+    """Reduce the case to the analyses that predictions need.
 
     Raises
     ------
-    InvalidInput : an analysis that the case lacks
+    InvalidInput : the case lacks an analysis
     """
     names = [Criterion(each.of).analysis for each in wanted]
     for each, name in zip(wanted, names, strict=True):
@@ -83,27 +83,27 @@ def asked_of(case: Case, wanted: tuple[Predicted, ...]) -> Case:
 def numbers(
     problem: Problem, values: Array, wanted: tuple[Predicted, ...], known: Known
 ) -> dict[str, tuple[str, float, float | None]]:
-    """Of the machine with such values: unit, number and what was measured, by name (those that
-    share one are counted).
+    """Solve the machine with ``values``: unit, number and measured value by name (repeated names
+    are numbered).
 
     Raises
     ------
-    InvalidInput, NoSolution, BearingError : the machine has none
+    InvalidInput, NoSolution, BearingError : the machine has no solution
     """
     case = asked_of(problem.machine(values), wanted)
     results = known.neighbours.solve(case)[0].results
-    found: dict[str, tuple[str, float, float | None]] = {}
+    predicted: dict[str, tuple[str, float, float | None]] = {}
     for each in wanted:
         reading = Criterion(each.of, each.where).read(case, results)
         for k, value in enumerate(reading.values.tolist()):
             words = each.name or reading.names[k]
-            words = words if words not in found else f"{words} ({k + 1})"
-            found[words] = reading.unit, value, _known(each, reading.unit)
+            words = words if words not in predicted else f"{words} ({k + 1})"
+            predicted[words] = reading.unit, value, _known(each, reading.unit)
         if reading.absent or not reading.values.size:
             more = f", {reading.absent} more" if reading.values.size else ""
             words = f"{each.name or Criterion(each.of, each.where).words}{more}"
-            found[words] = reading.unit, np.nan, _known(each, reading.unit)
-    return found
+            predicted[words] = reading.unit, np.nan, _known(each, reading.unit)
+    return predicted
 
 
 def _known(of: Predicted, unit: str) -> float | None:
@@ -116,7 +116,7 @@ def _known(of: Predicted, unit: str) -> float | None:
 def predictions(
     problem: Problem, sure: Certainty, wanted: tuple[Predicted, ...]
 ) -> tuple[Prediction, ...]:
-    """Numbers of the identified machine with their intervals."""
+    """Predict numbers of the identified machine with their intervals."""
     if not wanted:
         return ()
     known = Known()
@@ -125,21 +125,21 @@ def predictions(
     for k in range(len(sure.values)):
         for name, slope in _slopes(problem, sure.values, k, wanted, known, best).items():
             slopes[name][k] = slope
-    found = []
+    result = []
     for name, (unit, value, measured) in best.items():
         if np.isnan(value):
-            found.append(Prediction(name, unit, value, value, value, measured))
+            result.append(Prediction(name, unit, value, value, value, measured))
             continue
         half = sure.quantile * float(np.sqrt(slopes[name] @ sure.covariance @ slopes[name]))
-        least = max(FOLLOWS * half, ROUNDING * abs(value))
-        changes = FLAT * np.abs(slopes[name])  # over the whole range known before
+        neglected = max(FOLLOWS * half, ROUNDING * abs(value))
+        changes = FLAT * np.abs(slopes[name])  # over the whole range of each unknown
         triples = zip(problem.unknowns, sure.words, changes, strict=True)
-        bound = tuple(u.name for u, w, change in triples if w == ON_A_BOUND and change > least)
+        bound = tuple(u.name for u, w, change in triples if w == ON_A_BOUND and change > neglected)
         half = np.nan if bound else half
-        found.append(
+        result.append(
             Prediction(name, unit, value, value - half, value + half, measured, bound=bound)
         )
-    return tuple(found)
+    return tuple(result)
 
 
 def over_models(
@@ -147,23 +147,25 @@ def over_models(
     others: Sequence[tuple[str, Problem, Array]],
     wanted: tuple[Predicted, ...],
 ) -> tuple[Prediction, ...]:
-    """Predictions with the range over the best model and the ``others`` that survive, each a name,
-    problem and values."""
+    """Add the range over the surviving models to predictions; ``others``: name, problem and values
+    of those beside the best."""
     if not nominal or not others:
         return tuple(nominal)
-    found: dict[str, dict[str, tuple[str, float, float | None]]] = {}
+    by_model: dict[str, dict[str, tuple[str, float, float | None]]] = {}
     for name, problem, values in others:
         try:
-            found[name] = numbers(problem, values, wanted, Known())
+            by_model[name] = numbers(problem, values, wanted, Known())
         except (InvalidInput, NoSolution, BearingError):
-            found[name] = {}
+            by_model[name] = {}
     ranged = []
     for each in nominal:
-        known = {model: of[each.name][1] for model, of in found.items() if each.name in of}
-        has = {model: value for model, value in known.items() if not np.isnan(value)}
-        every = [value for value in (each.value, *has.values()) if not np.isnan(value)] or [np.nan]
-        lacking = tuple(model for model in found if model not in has)
-        ranged.append(replace(each, least=min(every), most=max(every), lacking=lacking))
+        predicted = {model: of[each.name][1] for model, of in by_model.items() if each.name in of}
+        present = {model: value for model, value in predicted.items() if not np.isnan(value)}
+        all_values = [
+            value for value in (each.value, *present.values()) if not np.isnan(value)
+        ] or [np.nan]
+        lacking = tuple(model for model in by_model if model not in present)
+        ranged.append(replace(each, least=min(all_values), most=max(all_values), lacking=lacking))
     return tuple(ranged)
 
 
@@ -175,22 +177,23 @@ def _slopes(
     known: Known,
     best: Mapping[str, tuple[str, float, float | None]],
 ) -> dict[str, float]:
-    """Derivatives by one unknown over its scale, on both sides where both have a solution."""
+    """Derivatives of the numbers by unknown ``k`` over its scale; central differences if both sides
+    have a solution."""
     low, high = (float(end[k]) for end in problem.bounds)
-    scale, found = float(problem.scale[k]), []
+    scale, steps = float(problem.scale[k]), []
     for side in (-1.0, 1.0):
         moved = values.copy()
         moved[k] = min(max(values[k] + side * STEP * scale, low), high)
         if moved[k] == values[k]:
             continue
         try:
-            there = numbers(problem, moved, wanted, known)
+            predicted = numbers(problem, moved, wanted, known)
         except (InvalidInput, NoSolution, BearingError):
             continue
-        found.append(((moved[k] - values[k]) / scale, there))
-    if not found:
+        steps.append(((moved[k] - values[k]) / scale, predicted))
+    if not steps:
         return {}
-    ends = [(0.0, best), *found] if len(found) == 1 else found
+    ends = [(0.0, best), *steps] if len(steps) == 1 else steps
     (a, first), (b, last) = ends
     return {
         name: (last[name][1] - first[name][1]) / (b - a)

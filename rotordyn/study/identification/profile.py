@@ -1,8 +1,8 @@
-"""Profile likelihood: the least χ² over one unknown, all others sought anew at each of its values.
+"""Profile likelihood: χ² over one unknown, minimised over all others at each of its values.
 
-The interval is where χ² above the best, over the Birge factor squared, stays below t²: that of the
-covariance where predictions are linear in the unknowns, and one that follows bends, kinks and
-bounds elsewhere (D. Venzon and S. Moolgavkar, Appl. Statist. 37, 1988).
+The interval is where χ² above the best, over the Birge factor squared, stays below t²: the interval
+of the covariance if predictions are linear in the unknowns, and otherwise one that accounts for
+curvature, kinks and bounds (D. Venzon and S. Moolgavkar, Appl. Statist. 37, 1988).
 
 Theory: docs/theory/identification.md.
 """
@@ -30,13 +30,13 @@ from rotordyn.study.identification.unknown import Sought
 from rotordyn.study.workers import solved_here
 
 Array = NDArray[np.float64]
-STEP = 0.3  # from value to value, of √Δχ² over its threshold
-FURTHER = 3.0  # times the step before, at most
-JUMP = 0.6  # of √Δχ² where it crosses: above that a value is solved between
+STEP = 0.3  # increase of √Δχ² per step, over its threshold
+FURTHER = 3.0  # largest ratio of a step to the previous one
+JUMP = 0.6  # increase of √Δχ² at the threshold above which a value in between is solved
 MOST = 12  # values on either side
-HALVES = 4  # times that steps are halved on either side, where no machine is found
-DIFFERS = 0.25  # of half the linear interval: worth a sentence
-LOWER = 0.01  # of the threshold: χ² that far below the best is a better machine
+HALVES = 4  # halvings of the step on either side, where no machine is found
+DIFFERS = 0.25  # difference from the linear interval, over half of it, that is remarked
+LOWER = 0.01  # decrease of χ² below the best, over the threshold, that is remarked
 
 AT_BOUND = "bound"
 NO_MACHINE = "no machine found beyond"
@@ -45,9 +45,9 @@ UNFINISHED = "χ² stays below its threshold"
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Profile:
-    """Of unknown ``number``: ``values`` (m,), ascending [SI], least ``excess`` (m,) of χ² over the
-    best there, over the Birge factor squared; ``interval`` and why each ends: at the threshold
-    (empty), at a bound, or before; machines solved."""
+    """Profile of unknown ``number``: ``values`` (m,), ascending [SI], and ``excess`` (m,) of the
+    minimised χ² over the best, divided by the Birge factor squared; ``interval``, and ``why`` each
+    side ends: "" at the threshold, at a bound, or before; number of machines solved."""
 
     number: int
     values: Array
@@ -58,7 +58,7 @@ class Profile:
 
 
 class _Point(NamedTuple):
-    """``values`` (p,) of the least χ² at one value; its ``root``: √Δχ² over the threshold."""
+    """Minimum at one value of the unknown: ``values`` (p,); ``root``: √Δχ² over its threshold."""
 
     values: Array
     excess: float
@@ -67,7 +67,7 @@ class _Point(NamedTuple):
 
 @dataclass(eq=False)
 class _Line:
-    """Unknown ``k`` of a problem held at values, others sought."""
+    """Minimisation over all unknowns but ``k``, which is held at given values."""
 
     problem: Problem
     fit: Fit
@@ -75,8 +75,8 @@ class _Line:
     k: int
 
     def at(self, value: float, starts: Sequence[Array]) -> _Point | None:
-        """Least χ² there of all starts, as a search may end too soon; None without a machine."""
-        found: list[_Point] = []
+        """Best minimum from all starts, as a search may end early; None without a solution."""
+        minima: list[_Point] = []
         for start in starts:
             values = np.clip(start, *self.problem.bounds)
             values[self.k] = value
@@ -86,15 +86,15 @@ class _Line:
                 continue
             excess = (cost - self.fit.cost) / self.sure.birge**2
             root = math.sqrt(max(excess, 0.0)) / self.sure.quantile
-            found.append(_Point(values, excess, root))
-        return min(found, key=lambda each: each.excess, default=None)
+            minima.append(_Point(values, excess, root))
+        return min(minima, key=lambda each: each.excess, default=None)
 
     def _least(self, values: Array) -> tuple[Array, float]:
-        """Values and χ² where all but one unknown are the best.
+        """Minimise χ² over all unknowns but ``k``; return values and χ².
 
         Raises
         ------
-        InvalidInput, NoSolution : no machine
+        InvalidInput, NoSolution : the machine has no solution
         KeyboardInterrupt : interrupted
         """
         others = [j for j in range(len(values)) if j != self.k]
@@ -104,21 +104,21 @@ class _Line:
                 raise NoSolution(self.problem.why)
             rows = self.problem.rows(predicted, values)
             return values, float(rows @ rows)
-        held = replace(
+        reduced = replace(
             self.problem,
             case=self.problem.machine(values),
             unknowns=tuple(self.problem.unknowns[j] for j in others),
             evaluations=0,
         )
-        found = nearest(held, values[others])
-        self.problem.evaluations += held.evaluations
-        if not found.ended:
+        fit = nearest(reduced, values[others])
+        self.problem.evaluations += reduced.evaluations
+        if not fit.ended:
             raise KeyboardInterrupt
-        values[others] = found.values
-        return values, found.cost + float(self.problem.prior_rows(values)[self.k] ** 2)
+        values[others] = fit.values
+        return values, fit.cost + float(self.problem.prior_rows(values)[self.k] ** 2)
 
     def side(self, sign: float) -> tuple[list[_Point], float, str]:
-        """Points away from the best, the end of the interval, and why it ends there."""
+        """March away from the best; return the points, the end of the interval, and why it ends."""
         low, high = (float(end[self.k]) for end in self.problem.bounds)
         bound = high if sign > 0.0 else low
         linear = self.sure.quantile * float(self.sure.deviation[self.k])
@@ -128,43 +128,43 @@ class _Line:
             return points, bound, AT_BOUND
         most, halves = FURTHER, HALVES
         while len(points) <= MOST:
-            here = float(points[-1].values[self.k])
-            value = min(max(here + sign * step, low), high)
-            found = self._beyond(points, value)
-            if found is None:
+            current = float(points[-1].values[self.k])
+            value = min(max(current + sign * step, low), high)
+            point = self._beyond(points, value)
+            if point is None:
                 if not halves:
-                    return points, here, NO_MACHINE
-                step, halves, most = 0.5 * abs(value - here), halves - 1, 1.0
+                    return points, current, NO_MACHINE
+                step, halves, most = 0.5 * abs(value - current), halves - 1, 1.0
                 continue
-            points.append(found)
-            if found.root >= 1.0:
+            points.append(point)
+            if point.root >= 1.0:
                 return points, self._crossing(points), ""
             if value == bound:
                 return points, bound, AT_BOUND
-            gain = found.root - points[-2].root
+            gain = point.root - points[-2].root
             ratio = STEP / gain if gain > 0.0 else FURTHER
             step *= min(max(ratio, 1.0 / FURTHER), most)
             most = FURTHER
         return points, float(points[-1].values[self.k]), UNFINISHED
 
     def _beyond(self, points: list[_Point], value: float) -> _Point | None:
-        """The point at the next value; others as they were last where no start has a machine."""
+        """Minimum at the next value; from the last point if no extrapolation has a solution."""
         return self.at(value, self._starts(points, value)) or self.at(value, [points[-1].values])
 
     def _starts(self, points: list[_Point], value: float) -> list[Array]:
-        """Where others begin: on from the last point as the covariance says, and straight on from
-        the last two."""
+        """Start values of the other unknowns: extrapolated by the covariance, and linearly from the
+        last two points."""
         scale, k, last = self.problem.scale, self.k, points[-1].values
         column, starts = self.sure.covariance[:, k], []
         if column[k] > 0.0:
             starts.append(last + scale * column / column[k] * (value - last[k]) / scale[k])
         if len(points) > 1:
-            before = points[-2].values
-            starts.append(last + (value - last[k]) / (last[k] - before[k]) * (last - before))
+            previous = points[-2].values
+            starts.append(last + (value - last[k]) / (last[k] - previous[k]) * (last - previous))
         return starts
 
     def _crossing(self, points: list[_Point]) -> float:
-        """Where √Δχ² meets its threshold between the last two points; inserts those it needs."""
+        """Value where √Δχ² meets its threshold between the last two points; inserts points."""
         for _ in range(MOST):
             inner, outer = points[-2:]
             share = (1.0 - inner.root) / (outer.root - inner.root)
@@ -172,23 +172,23 @@ class _Line:
             value = a + share * (b - a)
             if outer.root - inner.root <= JUMP:
                 break
-            found = self.at(value, [inner.values + share * (outer.values - inner.values)])
-            if found is None:
+            point = self.at(value, [inner.values + share * (outer.values - inner.values)])
+            if point is None:
                 break
-            points.insert(len(points) - 1, found)
-            if found.root >= 1.0:
+            points.insert(len(points) - 1, point)
+            if point.root >= 1.0:
                 points.pop()
         return value
 
 
 def profiled(packed: bytes, number: int, count: int = 1) -> Profile:
-    """Profile of one unknown of a pickled problem, its fit and certainty."""
+    """Profile of one unknown; ``packed``: pickled problem, fit and certainty."""
     problem, fit, sure = pickle.loads(packed)
     line = _Line(replace(problem, known=Known(), evaluations=0), fit, sure, number)
     (below, low, why_low), (above, high, why_high) = line.side(-1.0), line.side(1.0)
-    every = [*below[:0:-1], *above]
-    values = np.array([each.values[number] for each in every])
-    excess = np.array([each.excess for each in every])
+    points = [*below[:0:-1], *above]
+    values = np.array([each.values[number] for each in points])
+    excess = np.array([each.excess for each in points])
     ends, why = (low, high), (why_low, why_high)
     return Profile(number, values, excess, ends, why, line.problem.evaluations)
 
@@ -201,46 +201,45 @@ def profiles(
     workers: int,
     progress: Callable[[int, int], None],
 ) -> tuple[dict[str, Profile], bool]:
-    """Profiles of those unknowns at ``paths`` that the problem seeks, and whether they were stopped
-    before the end."""
+    """Profiles by path of the unknowns among ``paths``, and whether they were interrupted."""
     known = [each.path for each in problem.unknowns]
     numbers = [k for k, path in enumerate(known) if path in paths]
     packed = pickle.dumps((replace(problem, known=Known()), fit, sure))
-    found: dict[int, Profile] = {}
+    by_number: dict[int, Profile] = {}
     stopped = False
     try:
         for each in solved_here(packed, numbers, workers, profiled):
-            found[each.number] = each
-            progress(len(found), len(numbers))
+            by_number[each.number] = each
+            progress(len(by_number), len(numbers))
     except KeyboardInterrupt:
         stopped = True
-    return {known[k]: found[k] for k in sorted(found)}, stopped
+    return {known[k]: by_number[k] for k in sorted(by_number)}, stopped
 
 
 def asked_profiles(unknowns: Sequence[Sought], asked: str | Sequence[str]) -> tuple[str, ...]:
-    """Paths of the unknowns whose profiles are asked for, by path or name.
+    """Paths of the unknowns whose profiles are requested by path or name.
 
     Raises
     ------
     InvalidInput : no such unknown
     """
-    every = {each.path: each.path for each in unknowns}
+    paths = {each.path: each.path for each in unknowns}
     if asked == ALL:
-        return tuple(every)
+        return tuple(paths)
     names = {each.name: each.path for each in unknowns}
     words = (asked,) if isinstance(asked, str) else tuple(asked)
     for word in words:
-        if word not in every | names:
+        if word not in paths | names:
             raise InvalidInput(
                 f"profiles: no unknown {shown(word)}; allowed: {ALL}, {', '.join(names)}"
                 f"{suggestion(word, names)}"
             )
-    return tuple(dict.fromkeys((every | names)[word] for word in words))
+    return tuple(dict.fromkeys((paths | names)[word] for word in words))
 
 
 def differing(profile: Profile, sure: Certainty) -> float:
-    """How far an end of the profile's interval lies from the linear one, over half of that;
-    infinite where that has no width."""
+    """Largest difference of an end of the profile's interval from the linear one, over half of
+    that; infinite if the linear one has no width."""
     linear = sure.interval[profile.number]
     half = 0.5 * float(np.ptp(linear))
     off = float(np.abs(linear - profile.interval).max())
@@ -248,25 +247,25 @@ def differing(profile: Profile, sure: Certainty) -> float:
 
 
 def remarks(found: Mapping[str, Profile], problem: Problem, sure: Certainty) -> list[str]:
-    """What profiles say that linear intervals do not, in sentences."""
-    apart, sentences = [], []
+    """Sentences on profiles that differ from linear intervals, end early or find a lower χ²."""
+    differing_names, sentences = [], []
     for each in found.values():
         unknown = problem.unknowns[each.number]
         off = differing(each, sure)
         if off > DIFFERS and sure.words[each.number] != ON_A_BOUND:
             size = "" if math.isinf(off) else f" by {100.0 * off:.0f} %"
-            apart.append(unknown.name + size)
-        for end, why in zip(each.interval, each.why, strict=True):
-            if why in (NO_MACHINE, UNFINISHED):
+            differing_names.append(unknown.name + size)
+        for end, reason in zip(each.interval, each.why, strict=True):
+            if reason in (NO_MACHINE, UNFINISHED):
                 at = f"{unknown.shown(end):.4g} {unknown.unit}".strip()
-                sentences.append(f"the profile of {unknown.name} ends at {at}: {why}")
+                sentences.append(f"the profile of {unknown.name} ends at {at}: {reason}")
         least = float(each.excess.min())
         if least < -LOWER * sure.quantile**2:
             sentences.append(
                 f"the profile of {unknown.name} finds χ² lower by {-least:.2g}: the search ended "
                 "before the best; give more starts"
             )
-    if apart:
+    if differing_names:
         words = "the interval by profile departs from the linear one by more than a quarter"
-        sentences.insert(0, f"{words}: {', '.join(apart)}")
+        sentences.insert(0, f"{words}: {', '.join(differing_names)}")
     return sentences

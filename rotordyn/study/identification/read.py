@@ -1,4 +1,4 @@
-"""The door for files of identifications: held against their case, or every fault of the file."""
+"""Read files of identifications and check them against their case; report every fault."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ from rotordyn.units import parse
 
 
 def read_identification(path: str | Path) -> Asked:
-    """The identification in a YAML file.
+    """Read the identification in a YAML file.
 
     Raises
     ------
@@ -44,8 +44,8 @@ def read_identification(path: str | Path) -> Asked:
     file = Path(path).expanduser()
     root, reader = opened(file)
     reading = reading_of(reader)
-    free = dict.fromkeys(("unknowns", "measurements", "hypotheses", "phases", "predict"), Any)
-    given = reading.fields(IdentificationFile, root, annotations=free)
+    unread = dict.fromkeys(("unknowns", "measurements", "hypotheses", "phases", "predict"), Any)
+    given = reading.fields(IdentificationFile, root, annotations=unread)
     reader.faults.require_none(root.file)
     case = case_of(given["case"], root)
     case = replace(case, name=file.stem, title=given["title"] or case.title)
@@ -57,9 +57,9 @@ def read_identification(path: str | Path) -> Asked:
         "predict": _predicted(reading, root),
     }
     reader.faults.require_none(root.file)
-    how = {key: given[key] for key in ("profiles", "criterion", "minimise", "starts", "seed")}
+    settings = {key: given[key] for key in ("profiles", "criterion", "minimise", "starts", "seed")}
     try:
-        return asked(case, **parts, **how)
+        return asked(case, **parts, **settings)
     except InvalidInput as refusal:
         faults = Faults()
         place = _place(root, parts, str(refusal))
@@ -68,13 +68,13 @@ def read_identification(path: str | Path) -> Asked:
 
 
 def _bare(why: str, place: tuple[str, ...]) -> str:
-    """A sentence without the keys that it begins with."""
+    """Remove the keys with which a sentence begins."""
     names = [f"{word}{key}: " for key in place for word in ("", "measurement ", "phase ")]
     return why.removeprefix(next((name for name in names if why.startswith(name)), ""))
 
 
 def _place(root: Node, parts: dict[str, Any], why: str) -> tuple[str, ...]:
-    """The keys that a sentence is about."""
+    """Keys of the entry that a sentence names."""
     for each in parts["measurements"]:
         if why.startswith(f"measurement {each.data.name}:"):
             return "measurements", each.data.name
@@ -92,28 +92,28 @@ def _place(root: Node, parts: dict[str, Any], why: str) -> tuple[str, ...]:
 
 
 def _each(reading: Reading, root: Node, key: str, beside: Any, make: Any) -> dict[str, Any]:
-    """What a mapping of the file holds, made one by one; faults are reported at their lines."""
+    """Build the entries of a mapping of the file by ``make``; faults are collected."""
     node = root.child(key)
     if node is None:
         return {}
     if not isinstance(node.value, dict):
         reading.wrong_shape(dict, node, "a mapping (name: …)")
         return {}
-    found = {}
+    entries = {}
     for name, child in node.value.items():
-        before = reading.faults.count
-        made = make(reading, beside, str(name), child)
-        if reading.faults.count == before:
-            found[str(name)] = made
-    return found
+        faults_before = reading.faults.count
+        entry = make(reading, beside, str(name), child)
+        if reading.faults.count == faults_before:
+            entries[str(name)] = entry
+    return entries
 
 
 def _unknown(reading: Reading, case: Case, path: str, node: Node) -> Any:
     if not isinstance(node.value, dict):
         return reading.wrong_shape(UnknownEntry, node, "two ends: {from: …, to: …}")
-    free = dict.fromkeys(("start_of_range", "to", "prior", "deviation", "start"), Any)
-    before = reading.faults.count
-    given = reading.fields(UnknownEntry, node, annotations=free)
+    unread = dict.fromkeys(("start_of_range", "to", "prior", "deviation", "start"), Any)
+    faults_before = reading.faults.count
+    given = reading.fields(UnknownEntry, node, annotations=unread)
     values = {
         key: value_at(reading, case, path, child)
         for key in ("from", "to", "prior", "start")
@@ -123,39 +123,41 @@ def _unknown(reading: Reading, case: Case, path: str, node: Node) -> Any:
     quantity = next((quantity_of(declared) for _, declared in found_at(case, path)), None)
     if deviation is not None and quantity is not None:
         try:
-            apart = units.DIFFERENCE.get(quantity.kind, quantity.kind)
-            values["deviation"] = parse(deviation.value, apart)
+            kind = units.DIFFERENCE.get(quantity.kind, quantity.kind)
+            values["deviation"] = parse(deviation.value, kind)
         except InvalidInput as refusal:
             reading.faults.at(deviation, str(refusal))
     elif deviation is not None:
         values["deviation"] = deviation.plain()
-    if reading.faults.count > before or any(values.get(key) is None for key in ("from", "to")):
+    if reading.faults.count > faults_before or any(
+        values.get(key) is None for key in ("from", "to")
+    ):
         return None
     ends = [(values.pop(key), node.child(key)) for key in ("from", "to")]
-    # text as it stands: its unit is that of summary, tables and figures
+    # keep the text: its unit is used in summary, tables and figures
     low, high = (n.value if n is not None and isinstance(n.value, str) else v for v, n in ends)
-    made = Unknown(low, high, **values, also=tuple(given["also"]), name=given["name"] or "")
+    unknown = Unknown(low, high, **values, also=tuple(given["also"]), name=given["name"] or "")
     try:
-        sought(case, {path: made})
+        sought(case, {path: unknown})
     except InvalidInput as refusal:
         reading.faults.at_key(node, str(refusal).removeprefix(f"{path}: "))
-    return made
+    return unknown
 
 
-def _measured(reading: Reading, beside: Path, name: str, node: Node) -> Measurement | None:
+def _measured(reading: Reading, folder: Path, name: str, node: Node) -> Measurement | None:
     kind = node.child("kind") if isinstance(node.value, dict) else None
     if kind is None or not isinstance(kind.value, str) or kind.value not in KINDS:
         word = "" if kind is None else kind.raw or units.shown(kind.plain())
-        why = f"unknown kind '{word}'" if word else "missing key: kind"
-        allowed = f"{why}; allowed: {', '.join(KINDS)}{suggestion(word, KINDS)}"
+        reason = f"unknown kind '{word}'" if word else "missing key: kind"
+        allowed = f"{reason}; allowed: {', '.join(KINDS)}{suggestion(word, KINDS)}"
         reading.faults.at(node.at("kind"), allowed)
         return None
-    before = reading.faults.count
+    faults_before = reading.faults.count
     given = reading.fields(KINDS[kind.value], node)
-    if reading.faults.count > before:
+    if reading.faults.count > faults_before:
         return None
     try:
-        made = MADE[kind.value](name, given, beside)
+        made = MADE[kind.value](name, given, folder)
         assert made.data is not None
         return made
     except InvalidInput as refusal:
@@ -187,13 +189,13 @@ def _predicted(reading: Reading, root: Node) -> tuple[Predicted, ...]:
     node = root.child("predict")
     if node is not None and not isinstance(node.value, list):
         reading.wrong_shape(list, node, "a list of numbers: [{of: …}]")
-    found = []
+    predictions = []
     for item in root.listed("predict"):
         if not isinstance(item.value, dict):
             reading.wrong_shape(PredictedEntry, item, "a mapping: {of: …}")
             continue
-        before = reading.faults.count
+        faults_before = reading.faults.count
         given = reading.fields(PredictedEntry, item)
-        if reading.faults.count == before:
-            found.append(Predicted(**given))
-    return tuple(found)
+        if reading.faults.count == faults_before:
+            predictions.append(Predicted(**given))
+    return tuple(predictions)

@@ -1,4 +1,4 @@
-"""Measured frequency responses beside those of the identified machine, speed by speed."""
+"""Figures of measured frequency responses and those of the identified machine."""
 
 from __future__ import annotations
 
@@ -32,19 +32,19 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 COLUMNS, ROW, MOST = 2, 50.0, 12  # mm; panels of a figure
-DEEP = 1e-4  # of the highest value: below that no axis goes
+DEEP = 1e-4  # lowest end of an axis over the highest value
 
 
-def figures(found: Identification) -> Iterator[tuple[str, Callable[[], Figure]]]:
-    """Name and drawing of the figure of every such measurement."""
-    for place, each in enumerate(found.explained.problem.measurements):
-        if isinstance(each, Responses):
-            yield f"{each.word}_responses", partial(_responses, found, place)
+def figures(result: Identification) -> Iterator[tuple[str, Callable[[], Figure]]]:
+    """Yield name and drawing function of a figure for every measurement of responses."""
+    for place, measurement in enumerate(result.explained.problem.measurements):
+        if isinstance(measurement, Responses):
+            yield f"{measurement.word}_responses", partial(_responses, result, place)
 
 
-def _responses(found: Identification, place: int) -> Figure:
-    """Amplitudes, and what of them is not explained beside the noise."""
-    measurement = found.explained.problem.measurements[place]
+def _responses(result: Identification, place: int) -> Figure:
+    """Draw amplitudes, residuals and noise of the responses of a measurement."""
+    measurement = result.explained.problem.measurements[place]
     assert isinstance(measurement, Responses)
     order = sorted(measurement.responses, key=lambda one: one.speed)
     chosen = [measurement.responses.index(one) for one in order][:MOST]
@@ -56,43 +56,43 @@ def _responses(found: Identification, place: int) -> Figure:
     drawn = []
     for k, box in zip(chosen, boxes, strict=False):
         axes = add_axes(figure, box)
-        _response(axes, found, place, k)
+        _response(axes, result, place, k)
         drawn.append(axes)
     top_legend(figure, *drawn)
-    return head(figure, found.title or found.name)
+    return head(figure, result.title or result.name)
 
 
-def _response(axes: Axes, found: Identification, place: int, k: int) -> None:
-    best = found.explained
+def _response(axes: Axes, result: Identification, place: int, k: int) -> None:
+    best = result.explained
     measurement = best.problem.measurements[place]
     assert isinstance(measurement, Responses)
-    one, data = measurement.responses[k], measurement.data
+    response, data = measurement.responses[k], measurement.data
     parts = _parts(measurement, k)
     residual, predicted = best.residuals[place], best.fit.predicted[place]
-    frequency = np.array(one.frequency)
+    frequency = np.array(response.frequency)
     lines = (
         (predicted + residual, ".", GREY, "measured", 1.0),
         (predicted, "-", BLUE, "the machine", 1.0),
         (residual, "-", ORANGE, "difference", 0.6),
     )
     high = 0.0
-    for values, look, colour, label, width in lines:
+    for values, style, colour, label, width in lines:
         size = np.hypot(*values[parts]) * data.factor
         high = max(high, float(size.max()))
-        axes.plot(frequency, size, look, ms=2.4, lw=width, color=colour, label=label)
+        axes.plot(frequency, size, style, ms=2.4, lw=width, color=colour, label=label)
     noise = np.sqrt(2.0) * data.deviation[parts[0]] * data.factor
     axes.plot(frequency, noise, "--", lw=0.8, color=ORANGE, label="noise stated")
     axes.set_ylim(max(axes.get_ylim()[0], DEEP * high), 2.0 * high)
     log_axis(axes)
     axes.set_xlim(frequency[0], frequency[-1])
-    words = f"{one.pair}, {one.speed * RPM.factor:.0f} rpm"
+    words = f"{response.pair}, {response.speed * RPM.factor:.0f} rpm"
     axes.set_title(shortened(words, 44), fontsize=FONT_SIZE)
     axes.set_xlabel("frequency [Hz]", fontsize=FONT_SIZE - 1.0)
     axes.set_ylabel(f"|H| [{data.unit}]", fontsize=FONT_SIZE - 1.0)
 
 
 def _parts(of: Responses, k: int) -> NDArray[np.intp]:
-    """Rows of the real and imaginary part of a response (2, f)."""
+    """Indices of the real and imaginary parts of response ``k`` in the data (2, f)."""
     sizes = [2 * len(one.frequency) for one in of.responses]
     first = sum(sizes[:k])
     return np.arange(first, first + sizes[k]).reshape(2, -1)

@@ -1,9 +1,9 @@
 """Measured frequency responses of several pairs at several speeds, at rest and in rotation.
 
-The modes that the responses of a speed have in common are fitted first (``pole_count``). Their sum
-is known off the axis of real frequencies too, at s = (b + i) ω, under a force that grows: there
-every peak is as wide as b, and machines whose frequencies lie far from those measured are led to
-them. So a search begins with ``blurred`` responses and ends with those measured, each sample
+The common modes of the responses of a speed are fitted first (``pole_count``). Their sum can be
+evaluated off the imaginary axis, too, at s = (b + i) ω, under a growing harmonic force: there every
+peak has the relative width b, so that a search converges from frequencies far from the measured
+ones. A search begins with such ``blurred`` responses and ends with the measured ones, each sample
 weighed by its noise.
 
 Theory: docs/theory/rotor_from_responses.md.
@@ -36,24 +36,24 @@ from rotordyn.study.identification.trial import Trial, require_all_speeds
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 PARTS = ("real", "imaginary")  # of a response, in this order
-BLURS = (0.3, 0.05)  # b above, in turn: as wide as the distance of modes, then of their pairs
+BLURS = (0.3, 0.05)  # b, in turn: about the distance of modes, then of pairs of modes
 POINTS = 40  # frequencies of blurred responses
-STEP = 1e-4  # of an unknown's scale, of differences: a sharp peak moves by its width soon
-FLOOR = 0.02  # of the median of a response: noise in proportion to the response ends there
+STEP = 1e-4  # of finite differences over the scale of an unknown: sharp peaks need small steps
+FLOOR = 0.02  # least noise, over the relative noise of the median response
 MOST_MODES = 40
-SWAMPED = 0.5  # noise over response
-TELLING = 0.1  # noise over response up to which its sign and phase are looked at
-INCOHERENT = 1e-3  # 1 − γ² below which noise comes from elsewhere
+SWAMPED = 0.5  # noise over response from which a measurement is refused
+TELLING = 0.1  # noise over response up to which sign and phase are checked
+INCOHERENT = 1e-3  # least 1 − γ²: below it other errors dominate
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Responses(AsksNothing):
-    """``responses`` of any pairs and speeds, those of one speed at the same frequencies.
+    """Measured ``responses`` of any pairs and speeds; those of one speed share their frequencies.
 
-    Each sample has a standard deviation, of its real and of its imaginary part: ``noise`` times its
-    size, or by its coherence γ² over ``averages`` spectra √((1 − γ²)/(2 n γ²)) times its size (J.
-    Bendat and A. Piersol, Random data). ``gain``: standard deviation of an unknown factor of each
-    response, as sensors and hammers have, over 1.
+    The standard deviation of the real and of the imaginary part of a sample is ``noise`` times its
+    magnitude, or √((1 − γ²)/(2 n γ²)) times it, with coherence γ² over n ``averages`` (J. Bendat
+    and A. Piersol, Random data). ``gain``: standard deviation of an unknown calibration factor of
+    each response, over 1.
     """
 
     name: str
@@ -105,7 +105,7 @@ class Responses(AsksNothing):
             )
 
     def _relative(self, one: MeasuredResponse) -> Array:
-        """Standard deviation of each part over the size of a response (f,)."""
+        """Standard deviation of each part over the magnitude of a response (f,)."""
         if self.averages is None:
             return np.full(len(one.frequency), self.noise)
         coherence = np.clip(np.array(one.coherence), 1e-6, 1.0 - INCOHERENT)
@@ -113,12 +113,12 @@ class Responses(AsksNothing):
 
     @property
     def word(self) -> str:
-        """Its name as of a file."""
+        """Name usable as a file name."""
         return re.sub(r"\W+", "_", self.name)
 
     @cached_property
     def speed(self) -> tuple[float, ...]:
-        """Each once, ascending [rad/s]."""
+        """Distinct speeds, ascending [rad/s]."""
         return tuple(sorted({one.speed for one in self.responses}))
 
     def of_speed(self, speed: float) -> tuple[MeasuredResponse, ...]:
@@ -127,7 +127,7 @@ class Responses(AsksNothing):
 
     @cached_property
     def modes(self) -> Mapping[float, Counted]:
-        """The modes fitted to the responses of every speed.
+        """Modes fitted to the responses of every speed.
 
         Raises
         ------
@@ -137,35 +137,35 @@ class Responses(AsksNothing):
         return {speed: self._fitted(speed) for speed in self.speed}
 
     def _fitted(self, speed: float) -> Counted:
-        every = self.of_speed(speed)
-        values = np.array([as_quantity(one, QUANTITIES[0]) for one in every]).T
-        relative = np.array([self._relative(one) for one in every]).T
+        responses = self.of_speed(speed)
+        values = np.array([as_quantity(one, QUANTITIES[0]) for one in responses]).T
+        relative = np.array([self._relative(one) for one in responses]).T
         most = min(MOST_MODES, (len(values) - 2) // 4)
         if most < 1:
             raise InvalidInput(
                 f"measurement {self.name}: {len(values)} frequencies at {_rpm(speed)}; allowed: at "
                 "least 6"
             )
-        for one in every:
+        for one in responses:
             if fault := self._turned(one):
                 raise InvalidInput(
                     f"measurement {self.name}: {one.pair} at {_rpm(speed)} is no driving point: "
                     f"{fault}"
                 )
-        omega = 2.0 * np.pi * np.array(every[0].frequency)
+        omega = 2.0 * np.pi * np.array(responses[0].frequency)
         with linear_algebra_alone():
-            found = counted(omega, values, _deviation(relative, values), most)
-        apart = np.abs(found.best.fit.error) ** 2
-        if (apart.sum(axis=0) > SWAMPED**2 * (np.abs(values) ** 2).sum(axis=0)).any():
+            fitted = counted(omega, values, _deviation(relative, values), most)
+        misfit = np.abs(fitted.best.fit.error) ** 2
+        if (misfit.sum(axis=0) > SWAMPED**2 * (np.abs(values) ** 2).sum(axis=0)).any():
             raise InvalidInput(
                 f"measurement {self.name}: noise swamps the responses at {_rpm(speed)}: no sum of "
                 f"modes comes nearer than {100.0 * SWAMPED:.0f} % of their size"
             )
-        return found
+        return fitted
 
     def _turned(self, one: MeasuredResponse) -> str:
-        """What turns a response at a driving point into that of a passive structure; empty where it
-        is one, or nothing known does: what drives a rotor may come through its films."""
+        """Correction (of sign or phase) that makes a driving-point response passive; empty if it is
+        passive, or if no known correction helps: a rotor with oil films need not be passive."""
         if one.response != one.excitation or np.median(self._relative(one)) > TELLING:
             return ""
         omega = 2.0 * np.pi * np.array(one.frequency)
@@ -176,7 +176,7 @@ class Responses(AsksNothing):
 
     @cached_property
     def data(self) -> Data:
-        """Real, then imaginary part of every response, one after the other; a gain of each."""
+        """Real, then imaginary part of every response, one after the other; with a gain of each."""
         values, deviations, gains = [], [], []
         for one in self.responses:
             size = self._smooth(one)
@@ -204,22 +204,22 @@ class Responses(AsksNothing):
         )
 
     def _smooth(self, one: MeasuredResponse) -> Complex:
-        """A response by the modes of its speed (f,)."""
+        """Response synthesised from the modes of its speed (f,)."""
         place = self.of_speed(one.speed).index(one)
         return self.modes[one.speed].best.fit(2.0 * np.pi * np.array(one.frequency))[:, place]
 
     @property
     def carried(self) -> int:
-        """Real numbers that the modes fitted to it consist of."""
+        """Number of real parameters of the fitted modes."""
         return sum(each.best.unknowns for each in self.modes.values())
 
     @property
     def blurred(self) -> tuple[Blurred, ...]:
-        """The same seen through peaks ever sharper."""
+        """Smoothed versions, smoothest first."""
         return tuple(Blurred(self, share) for share in BLURS)
 
     def faults(self, case: Case) -> Iterator[str]:
-        """Unknown points, directions that nothing joins, a machine without a rotor."""
+        """Yield faults: no spindle, or an unknown point."""
         spindle = case.spindle
         if spindle is None:
             yield f"measurement {self.name}: needs a spindle"
@@ -231,13 +231,13 @@ class Responses(AsksNothing):
                     return
 
     def predicted(self, trial: Trial) -> Array:
-        """Rows as those of ``data`` (n,) [SI]."""
+        """Predicted values in the rows of ``data`` (n,) [SI]."""
         frequency = {s: np.array(self.of_speed(s)[0].frequency) for s in self.speed}
-        found = self.computed(trial, {s: 2.0 * np.pi * f for s, f in frequency.items()})
-        return np.concatenate([_rows(found[one.speed][one.pair]) for one in self.responses])
+        receptances = self.computed(trial, {s: 2.0 * np.pi * f for s, f in frequency.items()})
+        return np.concatenate([_rows(receptances[one.speed][one.pair]) for one in self.responses])
 
     def beside(self, trial: Trial) -> Beside:
-        """Measured modes beside those of the machine."""
+        """Table of measured and computed modes."""
         return beside(self, trial)
 
     def scene(self, trial: Trial) -> Scene:
@@ -252,7 +252,7 @@ class Responses(AsksNothing):
         return scene
 
     def computed(self, trial: Trial, omega: Mapping[float, Any]) -> dict[float, dict[str, Complex]]:
-        """Receptances by speed and pair, at angular frequencies of every speed (f,)."""
+        """Computed receptances by speed and pair; ``omega``: angular frequencies (f,) by speed."""
         with linear_algebra_alone():
             scene = self.scene(trial)
             return {s: self._at(scene, row, s, omega[s]) for row, s in enumerate(self.speed)}
@@ -260,20 +260,20 @@ class Responses(AsksNothing):
     def _at(
         self, scene: Scene, row: int, speed: float, omega: Array | Complex
     ) -> dict[str, Complex]:
-        found: dict[str, Complex] = {}
+        receptances: dict[str, Complex] = {}
         systems: dict[int, list[MeasuredResponse]] = {}
         for one in self.of_speed(speed):
             owners = self.owners(scene, one)
-            found[one.pair] = np.zeros(len(omega), dtype=complex)
+            receptances[one.pair] = np.zeros(len(omega), dtype=complex)
             if owners[0] == owners[1]:
                 systems.setdefault(owners[0], []).append(one)
         at = np.array([row])
-        for k, every in systems.items():
-            rows = np.array([self.rows(scene, k, one) for one in every])
+        for k, responses in systems.items():
+            rows = np.array([self.rows(scene, k, one) for one in responses])
             values = scene.system(k).at(at).receptance(np.asarray(omega), rows[:, 0], rows[:, 1])[0]
-            for one, value in zip(every, values, strict=True):
-                found[one.pair] = np.asarray(value)
-        return found
+            for one, value in zip(responses, values, strict=True):
+                receptances[one.pair] = np.asarray(value)
+        return receptances
 
     @staticmethod
     def owners(scene: Scene, one: MeasuredResponse) -> tuple[int, int]:
@@ -283,22 +283,22 @@ class Responses(AsksNothing):
 
     @staticmethod
     def rows(scene: Scene, k: int, one: MeasuredResponse) -> Array:
-        """Motions at response and excitation by the coordinates of a subsystem (2, n)."""
+        """Rows (2, n) from the coordinates of a subsystem to motions at response and excitation."""
         linear = scene.system(k).linear
         places = [(scene.spindle.place(port.point), port.direction) for port in _ports(one)]
         return np.array([linear.row(place.rotor, place.x, way) for place, way in places])
 
     def deviation_at(self, speed: float, place: int) -> Array:
-        """Standard deviation of each part of the responses of a speed at one frequency (e,)."""
-        every, size = self.of_speed(speed), self.modes[speed].best.fit
-        omega = 2.0 * np.pi * np.array(every[0].frequency)
-        relative = np.array([self._relative(one) for one in every]).T
-        return _deviation(relative, size(omega))[place]
+        """Standard deviation (e,) of the parts of responses of a speed at frequency ``place``."""
+        responses, response = self.of_speed(speed), self.modes[speed].best.fit
+        omega = 2.0 * np.pi * np.array(responses[0].frequency)
+        relative = np.array([self._relative(one) for one in responses]).T
+        return _deviation(relative, response(omega))[place]
 
 
 @dataclass(frozen=True, eq=False)
 class Blurred(AsksNothing):
-    """Responses ``of`` a measurement under a force that grows, s = (``share`` + i) ω."""
+    """Smoothed responses ``of`` a measurement, at s = (``share`` + i) ω."""
 
     of: Responses
     share: float
@@ -306,13 +306,16 @@ class Blurred(AsksNothing):
 
     @cached_property
     def _omega(self) -> dict[float, Complex]:
-        turn = 2.0 * np.pi * (1.0 - 1j * self.share)
-        each = {speed: _across(self.of.of_speed(speed)[0]) for speed in self.of.speed}
-        return {speed: np.asarray(turn * hertz, dtype=complex) for speed, hertz in each.items()}
+        rotation = 2.0 * np.pi * (1.0 - 1j * self.share)
+        frequencies = {speed: _across(self.of.of_speed(speed)[0]) for speed in self.of.speed}
+        return {
+            speed: np.asarray(rotation * hertz, dtype=complex)
+            for speed, hertz in frequencies.items()
+        }
 
     @cached_property
     def data(self) -> Data:
-        """Rows as those of the measurement at few frequencies, by the modes fitted to it."""
+        """Rows as those of the measurement at few frequencies, synthesised from fitted modes."""
         observed, deviations = [], []
         for one in self.of.responses:
             place = self.of.of_speed(one.speed).index(one)
@@ -332,13 +335,15 @@ class Blurred(AsksNothing):
         )
 
     def faults(self, case: Case) -> tuple[str, ...]:
-        """None beside those of the measurement."""
+        """No faults in addition to those of the measurement."""
         return ()
 
     def predicted(self, trial: Trial) -> Array:
-        """Rows as those of ``data`` (n,) [SI]."""
-        found = self.of.computed(trial, self._omega)
-        return np.concatenate([_rows(found[one.speed][one.pair]) for one in self.of.responses])
+        """Predicted values in the rows of ``data`` (n,) [SI]."""
+        receptances = self.of.computed(trial, self._omega)
+        return np.concatenate(
+            [_rows(receptances[one.speed][one.pair]) for one in self.of.responses]
+        )
 
 
 def _across(one: MeasuredResponse) -> Array:
@@ -354,10 +359,10 @@ def _rows(values: Complex) -> Array:
 
 
 def _deviation(relative: Array, values: Complex) -> Array:
-    """Of each part (f, e), with a floor where a response has its zeros."""
-    size = np.abs(values)
-    floor = np.maximum(FLOOR * np.median(size, axis=0), 1e-300)
-    return np.asarray(relative * np.maximum(size, floor))
+    """Standard deviation of each part (f, e), with a floor near antiresonances."""
+    magnitude = np.abs(values)
+    floor = np.maximum(FLOOR * np.median(magnitude, axis=0), 1e-300)
+    return np.asarray(relative * np.maximum(magnitude, floor))
 
 
 def _unit(responses: tuple[MeasuredResponse, ...]) -> tuple[str, float]:

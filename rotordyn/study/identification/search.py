@@ -1,8 +1,8 @@
-"""Values of the unknowns that explain measurements best.
+"""Search of the values of the unknowns that fit the measurements best.
 
-Nonlinear least squares between ends (scipy's trust region reflective), from several starts. The
-mean absolute difference is made least by least squares whose rows are weighed anew until nothing
-changes (iteratively reweighted: P. Holland and R. Welsch, Commun. Statist. A6, 1977).
+Nonlinear least squares with bounds (scipy's trust region reflective), from several starts. The mean
+absolute difference is minimised by iteratively reweighted least squares (P. Holland and R. Welsch,
+Commun. Statist. A6, 1977).
 """
 
 from __future__ import annotations
@@ -17,21 +17,21 @@ from rotordyn.study.identification.problem import Problem
 from rotordyn.study.latin_hypercube import latin_hypercube
 
 Array = NDArray[np.float64]
-FAR = 1e4  # weighed difference of every row of a machine without a solution
+FAR = 1e4  # weighed difference in every row of a machine without a solution
 SMALL = 1e-7  # relative change of the cost, or of the unknowns, that ends a search
 MOST = 60  # machines of one search, without those of Jacobians
-HELD = 1e-3  # deviations by which an unknown is pulled to the start, over what was known before
-ROUNDS = 40  # of weighing anew
-GAIN = 1e-3  # of the median difference, which outliers leave alone: a smaller gain ends them
-CANDIDATES = 6  # machines tried for each further start
+HELD = 1e-3  # weight of the regularisation towards the start, over that of the prior knowledge
+ROUNDS = 40  # reweightings at most
+GAIN = 1e-3  # improvement over the median difference (robust against outliers) that ends them
+CANDIDATES = 6  # machines drawn for each further start
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Fit:
-    """The best of a search: ``values`` (p,) [SI], its ``cost`` χ² (sum of squares of all rows),
-    ``predicted`` of every measurement; ``ended``: whether the search came to its end, ``limited``:
-    by the most machines that it may take; ``absolute``: the mean absolute difference, in
-    deviations, with half of the squares of what is known before, where that is made least."""
+    """Result of a search: ``values`` (p,) [SI], ``cost`` χ² (sum of squares of all rows), and
+    ``predicted`` values of every measurement. ``ended``: whether the search was not interrupted;
+    ``limited``: whether it ended by its limit of machines. ``absolute``: mean absolute difference
+    in standard deviations, plus the penalty of priors and nuisances, if that is minimised."""
 
     values: Array
     cost: float
@@ -42,16 +42,16 @@ class Fit:
 
     @property
     def merit(self) -> float:
-        """What is made least."""
+        """Quantity that is minimised."""
         return self.cost if self.absolute is None else self.absolute
 
 
 class _Objective:
-    """Residuals and Jacobian over scaled unknowns z (p,); keeps the best machine seen, so that an
-    interrupted search has one.
+    """Residuals and Jacobian over scaled unknowns z (p,); keeps the best machine so far, for the
+    case of an interruption.
 
-    A weak pull to ``begin`` (p,), which counts in no cost, holds unknowns that no row follows:
-    steps of the search would grow along them, and be cut for all.
+    A weak regularisation towards ``begin`` (p,), not part of the cost, holds unknowns on which no
+    row depends: otherwise steps would grow along them, and be shortened for all unknowns.
     """
 
     def __init__(self, problem: Problem, begin: Array) -> None:
@@ -61,24 +61,24 @@ class _Objective:
         self._last: tuple[bytes, list[Array] | None] = (b"", None)
 
     def first(self) -> Fit:
-        """The machine to begin with, not ended.
+        """Evaluate the start; the fit counts as not ended.
 
         Raises
         ------
-        NoSolution : it has none
+        NoSolution : the machine at the start has no solution
         """
         self.rows(self.begin)
         return self.reached
 
     @property
     def reached(self) -> Fit:
-        """The best machine so far; NoSolution where none has one."""
+        """Best fit so far; raises NoSolution if no machine had a solution."""
         if self.best is None:
             raise NoSolution(self.problem.why)
         return self.best
 
     def rows(self, z: Array) -> Array:
-        """Weighed differences (n,), ``FAR`` each where the machine has no solution."""
+        """Residual rows (n,); all ``FAR`` if the machine has no solution."""
         values = z * self.problem.scale
         predicted = self._predicted(values)
         if predicted is None:
@@ -90,15 +90,15 @@ class _Objective:
         return np.concatenate([rows, HELD * (z - self.begin)])
 
     def slopes(self, z: Array) -> Array:
-        """Derivatives of the rows (n, p)."""
+        """Jacobian of the rows (n, p)."""
         values = z * self.problem.scale
         predicted = self._predicted(values)
         if predicted is None:
             return np.zeros((self._size, len(z)))
         slopes = self.problem.slopes(values, predicted)
-        held = HELD * np.eye(len(z))
+        regularisation = HELD * np.eye(len(z))
         rows = self.problem.weighed_slopes(slopes)
-        return np.concatenate([rows, self.problem.prior_slopes, held])
+        return np.concatenate([rows, self.problem.prior_slopes, regularisation])
 
     def _predicted(self, values: Array) -> list[Array] | None:
         key = values.tobytes()
@@ -115,91 +115,96 @@ class _Objective:
 
 
 def search(problem: Problem, start: Array) -> Fit:
-    """The best from one start, led there by blurred measurements; interrupted, the best so far.
+    """Search from one start, first with smoothed measurements; if interrupted, the best so far.
 
     Raises
     ------
-    NoSolution : the machine at the start has none
+    NoSolution : the machine at the start has no solution
     """
     for blurred in problem.blurred:
-        led = nearest(blurred, start)
+        fit = nearest(blurred, start)
         problem.evaluations += blurred.evaluations
-        start = led.values
-        if not led.ended:
+        start = fit.values
+        if not fit.ended:
             return _Objective(problem, start / problem.scale).first()
     return nearest(problem, start)
 
 
 def nearest(problem: Problem, start: Array) -> Fit:
-    """The best about one start; interrupted, the best so far.
+    """Local search from one start; if interrupted, the best so far.
 
     Raises
     ------
-    NoSolution : the machine at the start has none
+    NoSolution : the machine at the start has no solution
     """
     from scipy.optimize import least_squares
 
     low, high = (end / problem.scale for end in problem.bounds)
-    room = 1e-6 * (high - low)  # scipy begins between the ends, on none
+    room = 1e-6 * (high - low)  # scipy needs a start strictly within the bounds
     begin = np.clip(start / problem.scale, low + room, high - room)
-    goal = _Objective(problem, begin)
-    goal.first()
+    objective = _Objective(problem, begin)
+    objective.first()
     try:
-        found = least_squares(
-            goal.rows, begin, goal.slopes, (low, high), ftol=SMALL, xtol=SMALL, max_nfev=MOST
+        solution = least_squares(
+            objective.rows,
+            begin,
+            objective.slopes,
+            (low, high),
+            ftol=SMALL,
+            xtol=SMALL,
+            max_nfev=MOST,
         )
     except KeyboardInterrupt:
-        return goal.reached
-    return replace(goal.reached, ended=True, limited=found.status == 0)
+        return objective.reached
+    return replace(objective.reached, ended=True, limited=solution.status == 0)
 
 
 def search_absolute(problem: Problem, start: Array) -> Fit:
-    """The best by the mean absolute difference from one start; interrupted, the best so far.
+    """Minimise the mean absolute difference from one start; if interrupted, the best so far.
 
-    Rows are weighed anew from the least squares and from the start itself: either may end where the
-    other goes on.
+    Reweighting begins at the least-squares fit and at the start itself, and the better result
+    counts: either may end in a worse minimum.
 
     Raises
     ------
-    NoSolution : the machine at the start has none
+    NoSolution : the machine at the start has no solution
     """
-    found = _weighed_anew(problem, search(problem, start))
-    if not found.ended:
-        return found
+    from_squares = _weighed_anew(problem, search(problem, start))
+    if not from_squares.ended:
+        return from_squares
     begin = replace(_Objective(problem, start / problem.scale).first(), ended=True)
-    return min(found, _weighed_anew(problem, begin), key=lambda fit: fit.merit)
+    return min(from_squares, _weighed_anew(problem, begin), key=lambda fit: fit.merit)
 
 
 def _weighed_anew(problem: Problem, begin: Fit) -> Fit:
-    """The best of least squares whose rows are weighed by the differences before, again and again,
-    ``begin`` among them."""
-    best, least, found = begin, np.inf, begin
+    """Iteratively reweighted least squares from ``begin``; return the best of all iterates."""
+    best, least, fit = begin, np.inf, begin
     for _ in range(ROUNDS):
-        pairs = [*zip(problem.weighings, found.predicted, strict=True)]
-        anew = [(each.anew(one), one) for each, one in pairs]
-        rows = np.concatenate([each.residual(one) / each.data.deviation for each, one in anew])
-        priors = problem.prior_rows(found.values)
-        squares = float(priors @ priors) + sum(each.beside(one) for each, one in anew)
+        pairs = [*zip(problem.weighings, fit.predicted, strict=True)]
+        weighings = [(each.anew(one), one) for each, one in pairs]
+        rows = np.concatenate([each.residual(one) / each.data.deviation for each, one in weighings])
+        priors = problem.prior_rows(fit.values)
+        squares = float(priors @ priors) + sum(each.beside(one) for each, one in weighings)
         mean = float(np.abs(rows).mean()) + squares / (2.0 * len(rows))
         gain = least - mean
         if gain > 0.0:
-            best, least = replace(found, absolute=mean), mean
-        if not found.ended or gain < GAIN * float(np.median(np.abs(rows))):
+            best, least = replace(fit, absolute=mean), mean
+        if not fit.ended or gain < GAIN * float(np.median(np.abs(rows))):
             break
-        weighed = replace(problem, weights=tuple(each.weight for each, _ in anew))
-        found = search(weighed, found.values)
+        weighed = replace(problem, weights=tuple(each.weight for each, _ in weighings))
+        fit = search(weighed, fit.values)
         problem.evaluations = weighed.evaluations
     rows = problem.rows(best.predicted, best.values)
     cost = float(rows @ rows)
-    return replace(best, cost=cost, ended=found.ended, limited=found.limited)
+    return replace(best, cost=cost, ended=fit.ended, limited=fit.limited)
 
 
 def begin_at(problem: Problem, start: int, seed: int) -> Array:
-    """The stated start (0), or the best of some machines drawn between the ends.
+    """The stated start (0), or the best of some machines drawn within the bounds.
 
     Raises
     ------
-    NoSolution : none of them has one
+    NoSolution : none of them has a solution
     """
     if start == 0:
         return problem.start

@@ -1,4 +1,4 @@
-"""Searches of all models from all starts, on disk as they end, so that a stopped study goes on."""
+"""Searches of all models from all starts, kept on disk so that an interrupted study can resume."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ Progress = Callable[[int, int], None]
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Searches:
-    """What is searched: ``models`` against ``measurements``, ``starts`` of each, ``absolute``
-    whether the mean absolute difference is made least."""
+    """``models``, ``measurements``, number of ``starts`` of each model; ``absolute``: whether the
+    mean absolute difference is minimised."""
 
     models: tuple[Model, ...]
     measurements: tuple[Measurement, ...]
@@ -39,17 +39,17 @@ class Searches:
     absolute: bool = False
 
     def problem(self, model: int, known: Known | None = None) -> Problem:
-        """One model against the measurements."""
-        held = self.models[model]
+        """Problem of one model."""
+        chosen = self.models[model]
         known = known or Known()
-        return Problem(held.case, held.unknowns, self.measurements, known=known)
+        return Problem(chosen.case, chosen.unknowns, self.measurements, known=known)
 
 
 @dataclass(frozen=True, slots=True)
 class Search:
-    """A search that came to an end (``limited``: by the most machines that it may take), or was
-    stopped (``ended`` false): ``number`` (model, start); values, sum of squares, what was made
-    least, machines solved; ``sentence``: why there are none."""
+    """Outcome of a search: ``number`` (model, start), ``values``, ``cost`` (sum of squares),
+    ``merit`` (the minimised quantity), machines solved. ``ended``: false if interrupted;
+    ``limited``: ended by its limit of machines; ``sentence``: why there are no values."""
 
     number: tuple[int, int]
     values: tuple[float, ...] = ()
@@ -62,25 +62,25 @@ class Search:
 
 
 def searched(packed: bytes, number: tuple[int, int], count: int = 1) -> Search:
-    """One search of pickled ``Searches``, in whatever process this is."""
-    all_of_them, known = _unpacked(packed)
+    """Run one search of pickled ``Searches`` in this process."""
+    searches, known = _unpacked(packed)
     model, start = number
-    problem = all_of_them.problem(model, known)
+    problem = searches.problem(model, known)
     try:
-        begin = begin_at(problem, start, all_of_them.seed)
-        how = search_absolute if all_of_them.absolute else search
-        found: Fit = how(problem, begin)
+        begin = begin_at(problem, start, searches.seed)
+        method = search_absolute if searches.absolute else search
+        fit: Fit = method(problem, begin)
     except NoSolution as error:
         return Search(number, sentence=str(error), evaluations=problem.evaluations)
-    values = tuple(found.values.tolist())
+    values = tuple(fit.values.tolist())
     return Search(
         number,
         values,
-        found.cost,
-        found.merit,
+        fit.cost,
+        fit.merit,
         problem.evaluations,
-        found.ended,
-        found.limited,
+        fit.ended,
+        fit.limited,
     )
 
 
@@ -92,40 +92,42 @@ def _unpacked(packed: bytes) -> tuple[Searches, Known]:
 def run(
     searches: Searches, workers: int, folder: Path | None, progress: Progress
 ) -> tuple[list[Search], bool]:
-    """All searches, and whether they were stopped before the end; those kept without a solution are
-    made anew.
+    """Run all searches; return outcomes, and whether they were interrupted. Kept searches without
+    a solution are repeated.
 
     Raises
     ------
     InvalidInput : the folder holds something else, or cannot be written
     """
-    every = [(m, s) for m in range(len(searches.models)) for s in range(searches.starts)]
+    numbers = [(m, s) for m in range(len(searches.models)) for s in range(searches.starts)]
     journal = None if folder is None else folder / JOURNAL
     kept = {} if journal is None else _read(journal, _signature(searches))
-    found = {number: kept[number] for number in every if number in kept and kept[number].values}
-    missing = [number for number in every if number not in found]
-    progress(len(found), len(every))
+    outcomes = {
+        number: kept[number] for number in numbers if number in kept and kept[number].values
+    }
+    missing = [number for number in numbers if number not in outcomes]
+    progress(len(outcomes), len(numbers))
     try:
         for each in solved_here(pickle.dumps(searches), missing, workers, searched):
-            found[each.number] = each
+            outcomes[each.number] = each
             if not each.ended:
-                return [*found.values()], True
+                return [*outcomes.values()], True
             if journal is not None:
                 record.add(journal, asdict(each))
-            progress(len(found), len(every))
+            progress(len(outcomes), len(numbers))
     except KeyboardInterrupt:
-        return [*found.values()], True
-    return [*found.values()], False
+        return [*outcomes.values()], True
+    return [*outcomes.values()], False
 
 
 def best_of(found: Sequence[Search], model: int) -> Search | None:
-    """The best search of a model; None where none has a solution."""
-    good = [each for each in found if each.number[0] == model and each.values]
-    return min(good, key=lambda each: each.merit, default=None)
+    """Best search of a model; None if none has a solution."""
+    solved = [each for each in found if each.number[0] == model and each.values]
+    return min(solved, key=lambda each: each.merit, default=None)
 
 
 def _signature(searches: Searches) -> str:
-    """What two studies have in common whose searches are the same."""
+    """Hash of all that decides the searches."""
     digest = hashlib.sha256()
     for model in searches.models:
         digest.update(repr((model.name, replace(model.case, files=()), model.unknowns)).encode())
@@ -139,19 +141,19 @@ def _signature(searches: Searches) -> str:
 
 
 def _fields(of: Any) -> list[Any]:
-    """What describes a dataclass; nothing of a measurement that is none."""
+    """Values of the fields of a dataclass; empty for another object."""
     return [getattr(of, f.name) for f in fields(of) if f.repr] if is_dataclass(of) else []
 
 
 def _read(path: Path, signature: str) -> dict[tuple[int, int], Search]:
-    """Searches kept of this study."""
+    """Read the searches kept of this study, by number."""
     what = "searches"
     lines = record.begun(path, "identification", signature, what)
     try:
-        found = [
+        kept = [
             Search(**line | {"number": tuple(line["number"]), "values": tuple(line["values"])})
             for line in lines
         ]
     except (TypeError, KeyError):
         raise record.unreadable(path, what) from None
-    return {each.number: each for each in found}
+    return {each.number: each for each in kept}

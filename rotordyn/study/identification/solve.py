@@ -1,4 +1,4 @@
-"""The call that joins it all: held against the case, searched, explained."""
+"""Identify a case: check the request, run the searches, evaluate the models."""
 
 from __future__ import annotations
 
@@ -40,8 +40,8 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Asked:
-    """An identification held against its case, before anything is solved; ``left_out``: variants
-    of the case, which take no part."""
+    """A request that was checked against its case, before anything is solved; ``left_out``:
+    variants of the case, ignored."""
 
     case: Case
     searches: Searches
@@ -65,7 +65,7 @@ def asked(  # noqa: PLR0913 - see identify
     starts: int = 1,
     seed: int = 0,
 ) -> Asked:
-    """An identification held against its case; see ``identify``."""
+    """Check a request against its case; see ``identify``."""
     if not isinstance(case, Case):
         raise InvalidInput(f"a case is needed, as rotordyn.load gives it; got {shown(case)}")
     left_out, case = tuple(case.variants), one_machine(case, unknowns)
@@ -80,16 +80,16 @@ def asked(  # noqa: PLR0913 - see identify
         raise InvalidInput(f"starts: given {shown(starts)}; allowed: a whole number up to 1000")
     if not is_whole(seed, 0):
         raise InvalidInput(f"seed: given {shown(seed)}; allowed: a whole number from 0 up")
-    every = models(case, found, hypotheses or {}, phases or {})
-    _require_points(every, measurements)
-    searches = Searches(every, tuple(measurements), starts, seed, minimise == MINIMISED[1])
-    held = FitCriterion.of(criterion, searches.measurements)
+    all_models = models(case, found, hypotheses or {}, phases or {})
+    _require_points(all_models, measurements)
+    searches = Searches(all_models, tuple(measurements), starts, seed, minimise == MINIMISED[1])
+    fit_criterion = FitCriterion.of(criterion, searches.measurements)
     first = searches.problem(0)
     _require_numbers(first)
     if predict:
         with suppress(NoSolution, BearingError):
             numbers(first, first.start, tuple(predict), Known())  # refuses what is no number
-    return Asked(case, searches, held, tuple(predict), profiled, left_out)
+    return Asked(case, searches, fit_criterion, tuple(predict), profiled, left_out)
 
 
 def _require_measurements(case: Case, measurements: Sequence[Measurement]) -> None:
@@ -124,8 +124,7 @@ def _require_points(every: Sequence[Model], measurements: Sequence[Measurement])
 
 
 def _require_numbers(problem: Problem) -> None:
-    """Go on only where the machine to begin with has the ``Numbers`` that were measured, or no
-    solution."""
+    """Raise InvalidInput if the start has a solution but lacks one of the measured ``Numbers``."""
     measured = [each for each in problem.measurements if isinstance(each, Numbers)]
     with suppress(NoSolution, BearingError):
         trial = problem.trial(problem.start)
@@ -155,38 +154,37 @@ def identify(  # noqa: PLR0913 - all of it describes one identification
     folder: str | Path | None = None,
     progress: Progress = lambda done, of: None,
 ) -> Identification:
-    """Values of a case with which it shows what was measured, and how sure they are.
+    """Find values of a case with which it reproduces measurements, and their uncertainty.
 
     Parameters
     ----------
-    unknowns : dotted paths, as ``rotordyn.vary`` takes them, to ``Unknown``
+    unknowns : ``Unknown`` by dotted path, as ``rotordyn.vary`` takes it
     measurements : such as ``AxialCurve``; see ``rotordyn.study.identification.measurement``
-    hypotheses : dotted paths to lists of values, every combination of which is held against the
-        measurements
-    phases : names to ``Phase``, models that seek other unknowns, side by side
-    predict : numbers of the case that are said of the identified machine, with their intervals
-    profiles : "all", or paths or names of the unknowns whose intervals are found by profiles, too:
-        all others sought anew at values about the best; of those that the best model seeks
+    hypotheses : lists of values by dotted path; every combination is a model
+    phases : ``Phase`` by name; each seeks other unknowns
+    predict : numbers of the identified machine to compute, with their intervals
+    profiles : "all", or paths or names of unknowns of the best model whose intervals are also found
+        by profile likelihood
     criterion : mean absolute difference up to which a model suffices, with its unit, such as
         "1 um"; without it χ² decides
     minimise : "squares" of differences over noise, or their "absolute" mean
-    starts : of each search, the first the stated one, others the best of some drawn at random
-    seed : of these
+    starts : number of starts of each search: the stated one, then the best of some drawn at random
+    seed : of the random starts
     workers : processes; as many as there are processors by default
-    folder : where searches are kept as they end; the same study goes on from there
+    folder : where searches are kept as they end; the same study resumes from there
     progress : called with the number of searches ended and of all, then of profiles
 
     Returns
     -------
-    Identification : of the best so far where it is interrupted
+    Identification : with the best values so far if it is interrupted
 
     Raises
     ------
-    InvalidInput : a path, value or measurement that cannot be, before anything is solved; a folder
-        of another study
+    InvalidInput : an invalid path, value or measurement, before anything is solved; a folder of
+        another study
     NoSolution : no model has a machine with a solution
     """
-    held = asked(
+    request = asked(
         case,
         unknowns,
         measurements,
@@ -199,47 +197,47 @@ def identify(  # noqa: PLR0913 - all of it describes one identification
         starts=starts,
         seed=seed,
     )
-    return identified(held, workers, None if folder is None else Path(folder), progress)
+    return identified(request, workers, None if folder is None else Path(folder), progress)
 
 
 def identified(
-    held: Asked,
+    request: Asked,
     workers: int | None = None,
     folder: Path | None = None,
     progress: Progress = lambda done, of: None,
 ) -> Identification:
-    """What measurements say; see ``identify``."""
+    """Run a checked request; see ``identify``."""
     if workers is not None and not is_whole(workers, 1):
         raise InvalidInput(f"workers: given {shown(workers)}; allowed: a whole number from 1 up")
-    searches = held.searches
-    found, stopped = run(searches, workers or processors(), folder, progress)
+    searches = request.searches
+    outcomes, stopped = run(searches, workers or processors(), folder, progress)
     explained: list[Explained] = []
     failed: dict[str, str] = {}
     for k, model in enumerate(searches.models):
-        least = best_of(found, k)
-        if least is None:
-            tried = [each.sentence for each in found if each.number[0] == k]
+        best_search = best_of(outcomes, k)
+        if best_search is None:
+            tried = [each.sentence for each in outcomes if each.number[0] == k]
             failed[model.name] = tried[0] if tried else "not searched yet"
             continue
-        mine = tuple(each for each in found if each.number[0] == k)
-        explained.append(_explained(model, searches, k, least, mine))
+        own_searches = tuple(each for each in outcomes if each.number[0] == k)
+        explained.append(_explained(model, searches, k, best_search, own_searches))
     if not explained:
         if stopped:
             raise KeyboardInterrupt
         raise NoSolution("; ".join(dict.fromkeys(failed.values())))
     explained.sort(key=lambda each: each.information)
     best = explained[0]
-    parts: dict[str, Any] = {"failed": failed, "stopped": stopped, "left_out": held.left_out}
-    if held.profiles and not stopped and not best.fit.limited:
+    parts: dict[str, Any] = {"failed": failed, "stopped": stopped, "left_out": request.left_out}
+    if request.profiles and not stopped and not best.fit.limited:
         parts["profiles"], parts["stopped"] = profiles_of(
-            best.problem, best.fit, best.sure, held.profiles, workers or processors(), progress
+            best.problem, best.fit, best.sure, request.profiles, workers or processors(), progress
         )
-    answer = Identification(
-        held.case.name, held.case.title, tuple(explained), held.criterion, **parts
+    result = Identification(
+        request.case.name, request.case.title, tuple(explained), request.criterion, **parts
     )
-    nominal = predictions(best.problem, best.sure, held.predict)
-    others = [(each.name, each.problem, each.fit.values) for each in answer.survivors[1:]]
-    return replace(answer, predictions=over_models(nominal, others, held.predict))
+    nominal = predictions(best.problem, best.sure, request.predict)
+    others = [(each.name, each.problem, each.fit.values) for each in result.survivors[1:]]
+    return replace(result, predictions=over_models(nominal, others, request.predict))
 
 
 def _explained(

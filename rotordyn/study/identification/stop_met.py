@@ -1,4 +1,4 @@
-"""Where a sleeve just meets its stop, at idle or under an axial force."""
+"""Measured speed or axial force at which a sleeve just meets its stop."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class StopMet(Axial):
-    """A ``sleeve`` just meets its stop at a ``speed`` [rad/s], after a run-up without further
+    """A ``sleeve`` just meets its stop at a ``speed`` [rad/s], after a run-up without additional
     force, or on the falling branch of a cycle between two forces, at ``force`` [N].
 
-    What counts is how far the sleeve, without its stop, would stand from it; ``deviation`` [m].
+    Compared is the gap to the stop that the sleeve would have without it; ``deviation`` [m].
     """
 
     sleeve: str
@@ -47,7 +47,7 @@ class StopMet(Axial):
         return self.sleeve
 
     def faults(self, case: Case) -> Iterator[str]:
-        """Also a sleeve without a stop, a force without a cycle."""
+        """Yield faults of ``Axial``, a sleeve without a stop, a force outside the cycle."""
         yield from super().faults(case)
         if self.force is not None:
             yield from self._out_of_cycle(self.force)
@@ -65,15 +65,17 @@ class StopMet(Axial):
             )
 
     def predicted(self, trial: Trial) -> Array:
-        """The gap (1,) [m], below 0 beyond the stop."""
+        """Predicted gap (1,) [m], negative beyond the stop."""
         assert trial.case.spindle is not None
         sleeve = next(s for s in trial.case.spindle.sleeves if s.name == self.sleeve)
         free = trial.along(without_stop=self.sleeve)
         body, row = free.bodies.index(self.sleeve), row_at(trial, self.speed)
         if self.force is None:
-            moved = free.idle[row, body] - free.mounted[body]
+            displacement = free.idle[row, body] - free.mounted[body]
         else:
             path = [self.highest or 0.0, self.lowest or 0.0, self.highest or 0.0, self.force]
-            moved = free.under(row, path)[-1, body] + free.standstill[body] - free.mounted[body]
+            displacement = (
+                free.under(row, path)[-1, body] + free.standstill[body] - free.mounted[body]
+            )
         direction = free.at[row].sleeves[body - 1].push.direction
-        return np.array([sleeve.stop_travel + direction * moved])
+        return np.array([sleeve.stop_travel + direction * displacement])

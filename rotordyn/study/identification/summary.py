@@ -1,4 +1,4 @@
-"""An identification in one screen of plain text."""
+"""Summary of an identification in plain text."""
 
 from __future__ import annotations
 
@@ -18,32 +18,32 @@ if TYPE_CHECKING:
     from rotordyn.study.identification.identification import Explained, Identification
 
 MOST_MODELS, MOST_ROWS = 12, 20
-MOST_WRITTEN = 14  # unknowns of which figures and pages write every correlation
+MOST_WRITTEN = 14  # largest number of unknowns whose correlations are printed as numbers
 
 
-def summary(found: Identification) -> str:
-    """Values with their intervals, predictions, models by evidence, the verdict."""
-    return "\n".join(_lines(found))
+def summary(result: Identification) -> str:
+    """Summary text: values with intervals, predictions, models by evidence, verdict."""
+    return "\n".join(_lines(result))
 
 
-def _lines(found: Identification) -> Iterator[str]:
-    best = found.explained
-    yield found.title or found.name
+def _lines(result: Identification) -> Iterator[str]:
+    best = result.explained
+    yield result.title or result.name
     points = best.problem.count
-    solved = sum(each.evaluations for model in found.models for each in model.searches)
-    solved += sum(each.evaluations for each in found.profiles.values())
-    of = f", {best.name}" if len(found.models) > 1 else ""
+    solved = sum(each.evaluations for model in result.models for each in model.searches)
+    solved += sum(each.evaluations for each in result.profiles.values())
+    of = f", {best.name}" if len(result.models) > 1 else ""
     counts = (points, "point"), (len(best.problem.unknowns), "unknown"), (solved, "machine")
-    many = ", ".join(f"{count} {one}{'s' * (count != 1)}" for count, one in counts)
-    yield f"{many} solved{of}"
-    if found.stopped:
+    counted = ", ".join(f"{count} {one}{'s' * (count != 1)}" for count, one in counts)
+    yield f"{counted} solved{of}"
+    if result.stopped:
         yield "stopped before the end: the best so far"
-    yield from without(found.left_out)
+    yield from without(result.left_out)
     yield ""
-    yield from _table([*_values(found)])
-    if found.predictions:
+    yield from _table([*_values(result)])
+    if result.predictions:
         yield ""
-        yield from _predictions(found)
+        yield from _predictions(result)
     yield ""
     yield from _table([("measurement", "points", "mean difference", "noise"), *_differences(best)])
     for beside in best.beside:
@@ -51,25 +51,25 @@ def _lines(found: Identification) -> Iterator[str]:
         yield from _table([beside.head, *beside.rows[:MOST_ROWS]])
         if len(beside.rows) > MOST_ROWS:
             yield f"… and {len(beside.rows) - MOST_ROWS} more: {beside.name}.csv"
-    if len(found.models) > 1:
+    if len(result.models) > 1:
         yield ""
         yield from _table(
-            [("model", "BIC above", f"mean [{found.criterion.unit}]", ""), *_models(found)]
+            [("model", "BIC above", f"mean [{result.criterion.unit}]", ""), *_models(result)]
         )
-    for name, why in found.failed.items():
-        yield from wrapped(f"no machine: {name}: {why}")
+    for name, reason in result.failed.items():
+        yield from wrapped(f"no machine: {name}: {reason}")
     yield ""
-    for sentence in found.verdict:
+    for sentence in result.verdict:
         yield from wrapped(sentence)
 
 
-def _predictions(found: Identification) -> Iterator[str]:
-    """Numbers of the best model, and their range over all that survive."""
-    several = any(each.least is not None for each in found.predictions)
-    beside = any(each.measured is not None for each in found.predictions)
+def _predictions(result: Identification) -> Iterator[str]:
+    """Yield the table of predictions, with their range over surviving models."""
+    several = any(each.least is not None for each in result.predictions)
+    beside = any(each.measured is not None for each in result.predictions)
     over = ("over surviving models",) if several else ()
     rows: list[tuple[str, ...]] = [("predicted", "value", "95 %", *over, "measured" * beside)]
-    for each in found.predictions:
+    for each in result.predictions:
         measured = "" if each.measured is None else f"{each.measured:.4g}"
         sizes = each.low, each.high, each.value
         digits = decimals(*sizes)
@@ -83,14 +83,14 @@ def _predictions(found: Identification) -> Iterator[str]:
         ends = f"–, {', '.join(each.bound)} {ON_A_BOUND}" if each.bound else ends
         rows.append((heading, value, ends, *between, measured))
     yield from _table(rows)
-    for each in found.predictions:
+    for each in result.predictions:
         if each.lacking and not np.isnan(each.value):
             yield from wrapped(f"no {each.name} of {'; '.join(each.lacking)}, which survive too")
 
 
-def _profiled(found: Identification, unknown: Sought, digits: int) -> str:
-    """The interval by profile; ``bound`` before an end that is one."""
-    profile = found.profiles.get(unknown.path)
+def _profiled(result: Identification, unknown: Sought, digits: int) -> str:
+    """Text of the interval by profile; an end that is a bound is marked."""
+    profile = result.profiles.get(unknown.path)
     if profile is None:
         return ""
     shown = [unknown.shown(end) for end in profile.interval]
@@ -101,9 +101,9 @@ def _profiled(found: Identification, unknown: Sought, digits: int) -> str:
     return " to ".join(words)
 
 
-def _values(found: Identification) -> Iterator[tuple[str, ...]]:
-    model, sure = found.explained, found.explained.sure
-    yield "", "value", "95 %", *(("by profile",) if found.profiles else ()), ""
+def _values(result: Identification) -> Iterator[tuple[str, ...]]:
+    model, sure = result.explained, result.explained.sure
+    yield "", "value", "95 %", *(("by profile",) if result.profiles else ()), ""
     for unknown, value, ends, word in zip(
         model.problem.unknowns,
         sure.values.tolist(),
@@ -124,12 +124,12 @@ def _values(found: Identification) -> Iterator[tuple[str, ...]]:
                 )
             )
         )
-        profile = (_profiled(found, unknown, digits),) if found.profiles else ()
+        profile = (_profiled(result, unknown, digits),) if result.profiles else ()
         yield unknown.heading, shown, between, *profile, word
 
 
 def decimals(low: float, high: float, value: float) -> int:
-    """With which half of an interval has two digits; where there is none, a value four."""
+    """Number of decimals that gives half of an interval two digits; without one, the value four."""
     half, size = abs(high - low) / 2.0, abs(value)
     known = 0.0 < half < np.inf
     if not known and not 0.0 < size < np.inf:
@@ -146,10 +146,10 @@ def _differences(model: Explained) -> Iterator[tuple[str, ...]]:
         yield data.name, str(len(residual)), f"{mean:.3g} {data.unit}", f"{noise:.3g} {data.unit}"
 
 
-def _models(found: Identification) -> Iterator[tuple[str, ...]]:
-    rows = list(zip(found.models, found.evidence, strict=True))
+def _models(result: Identification) -> Iterator[tuple[str, ...]]:
+    rows = list(zip(result.models, result.evidence, strict=True))
     for model, above in rows[:MOST_MODELS]:
-        mean = found.criterion.mean_difference(model.problem, model.residuals)
+        mean = result.criterion.mean_difference(model.problem, model.residuals)
         bound = model.on_bounds
         words = f"{ON_A_BOUND}: {', '.join(bound)}" if bound else ""
         yield model.name, f"{above:.1f}", f"{mean:.3g}", words

@@ -1,4 +1,4 @@
-"""A machine with trial values, solved for what measurements ask of it and nothing else."""
+"""A machine with trial values, solved only for what measurements need."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ Array = NDArray[np.float64]
 
 @dataclass
 class Known:
-    """What trials of one process share: axial curves of bearings, stages of scenes."""
+    """Results shared by the trials of one process: axial curves of bearings, stages of scenes."""
 
     curves: BearingCurves = field(default_factory=BearingCurves)
     neighbours: Neighbours = field(default_factory=Neighbours)
@@ -31,8 +31,8 @@ class Known:
 
 @dataclass
 class Trial:
-    """``case`` with trial values; ``speeds`` [rad/s], ascending, and ``analyses`` that measurements
-    ask for there; ``axial_speeds``: those of axial curves."""
+    """A ``case`` with trial values; ``speeds`` [rad/s], ascending, and ``analyses`` needed there by
+    measurements; ``axial_speeds``: speeds of axial measurements."""
 
     case: Case
     speeds: tuple[float, ...] = ()
@@ -43,11 +43,11 @@ class Trial:
 
     @cached_property
     def results(self) -> Mapping[str, Any]:
-        """Results by the name of the analysis.
+        """Results by name of the analysis.
 
         Raises
         ------
-        NoSolution : a speed has none
+        NoSolution : a speed has no solution
         """
         asked = replace(self.case, speeds=self.speeds, analyses=dict(self.analyses))
         results = self.known.neighbours.solve(asked)[0].results
@@ -59,20 +59,20 @@ class Trial:
 
     @cached_property
     def axial(self) -> AxialRunUp:
-        """Shaft and sleeves along the axis, with friction, run up through the axial speeds."""
+        """Axial arrangement with friction, run up through the axial speeds."""
         return self.along()
 
     def cycle(
         self, row: int, falling: Array, rising: Array, lowest: float | None, highest: float | None
     ) -> tuple[Array, Array]:
-        """Shifts of the bodies on both branches, as ``AxialRunUp.cycle``; each solved once."""
+        """Displacements of the bodies on both branches (``AxialRunUp.cycle``); each solved once."""
         key = row, falling.tobytes(), rising.tobytes(), lowest, highest
         if key not in self._cycles:
             self._cycles[key] = self.axial.cycle(row, falling, rising, lowest, highest)
         return self._cycles[key]
 
     def along(self, without_stop: str = "") -> AxialRunUp:
-        """The same, a sleeve's stop left out."""
+        """Axial arrangement run up through the axial speeds, without the stop of one sleeve."""
         spindle = self.case.spindle
         assert spindle is not None, "measurements of a spindle"
         sleeves = tuple(
@@ -96,11 +96,11 @@ class Trial:
 
 
 def require_all_speeds(scene: Scene) -> None:
-    """Go on only where every speed has a solution.
+    """Raise unless every speed has a solution.
 
     Raises
     ------
-    NoSolution : the first speed without one says why
+    NoSolution : with the sentence of the first speed without one
     """
     for word in scene.outcome:
         if word:

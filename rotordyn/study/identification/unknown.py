@@ -1,4 +1,4 @@
-"""Numbers of a case that are sought: where they lie, what is known of them before."""
+"""Unknowns of an identification: bounds, priors and start values of numbers of a case."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ from rotordyn.field import Refused, accept, shown
 from rotordyn.quantity import Quantity
 from rotordyn.units import DIFFERENCE, parse, parse_unit, pretty_unit, unit_of
 
-FLAT = math.sqrt(12.0)  # a number anywhere between two ends deviates by their distance over that
+FLAT = math.sqrt(12.0)  # range of a uniform distribution over its standard deviation
 
 
 @dataclass(frozen=True, slots=True)
 class Unknown:
-    """A number between ``low`` and ``high``, in SI units or text with a unit.
+    """An unknown number between ``low`` and ``high``, in SI units or text with a unit.
 
-    ``prior`` and its ``deviation`` (standard): what is known of it before; ``start``: where the
-    search begins, by default the prior, or the value of the case. ``also``: further paths that take
-    the same value. ``name``: short, for figures and tables; by default from the path.
+    ``prior`` with its standard ``deviation``: prior knowledge; ``start``: start value of the
+    search, by default the prior, or the value of the case. ``also``: further paths that take the
+    same value. ``name``: short name for figures and tables; by default from the path.
     """
 
     low: float | str
@@ -39,8 +39,8 @@ class Unknown:
 
 @dataclass(frozen=True, slots=True)
 class Sought:
-    """An unknown held against its case, all in SI units; its ends were ``written`` in a unit, or in
-    none."""
+    """An unknown that was checked against its case, in SI units; ``written``: unit in which its
+    bounds were given, if any."""
 
     path: str
     name: str
@@ -55,47 +55,47 @@ class Sought:
 
     @property
     def scale(self) -> float:
-        """Standard deviation of what is known before: of its prior, or anywhere between ends."""
+        """Standard deviation of the prior, or of a uniform distribution between the bounds."""
         flat = (self.high - self.low) / FLAT
         return flat if self.deviation is None else min(self.deviation, flat)
 
     @property
     def limited(self) -> bool:
-        """Whether its lower end is 0, that of the quantity itself, which is never negative."""
+        """Whether the lower bound is 0 and the quantity itself cannot be negative."""
         return self.low == 0.0 and self.quantity is not None and self.quantity.low == 0.0
 
     @property
     def unit(self) -> str:
-        """For documents: that in which it was written, or a usual one."""
+        """Unit for printing: that in which it was given, or a usual one."""
         if self.quantity is None or self.written:
             return self.written
         return usual_unit(self.quantity, [self.start or self.high])
 
     @property
     def coherent_unit(self) -> str:
-        """Its SI unit, as files write it."""
+        """SI unit, as files write it."""
         return "" if self.quantity is None else self.quantity.coherent_unit
 
     def shown(self, value: float) -> float:
-        """A value in that unit."""
+        """Convert a value to the unit for printing."""
         return value / (parse_unit(self.unit).scale if self.unit else 1.0)
 
     @property
     def heading(self) -> str:
-        """Name and unit, as printed."""
+        """Name with unit, as printed."""
         return f"{self.name} [{pretty_unit(self.unit)}]" if self.unit else self.name
 
     def changes(self, value: float) -> dict[str, Any]:
-        """The value at its paths, as ``vary`` takes them."""
+        """The value by each of its paths, as ``vary`` takes them."""
         return dict.fromkeys((self.path, *self.also), value)
 
 
 def sought(case: Case, asked: Mapping[str, Unknown]) -> tuple[Sought, ...]:
-    """Unknowns held against the case.
+    """Check unknowns against the case.
 
     Raises
     ------
-    InvalidInput : a path that leads nowhere or to no number, ends or a prior that cannot be
+    InvalidInput : a path that does not exist or holds no number, invalid bounds or prior
     """
     if not asked:
         raise InvalidInput("unknowns: none is given: map at least one dotted path to its ends")
@@ -149,7 +149,7 @@ def _sought(case: Case, path: str, asked: Unknown) -> Sought:
 
 
 def _require_fractions(case: Case, path: str, low: float, high: float) -> None:
-    """Go on only where a value between two ends may be any number."""
+    """Raise InvalidInput if the field takes only whole numbers."""
     try:
         accept(found_at(case, path)[0][1], low + (high - low) / math.pi)
     except Refused:
@@ -159,7 +159,7 @@ def _require_fractions(case: Case, path: str, low: float, high: float) -> None:
 
 
 def _require_alike(case: Case, path: str, other: str) -> None:
-    """Go on only where two paths hold the same kind of quantity, or one leads nowhere."""
+    """Raise InvalidInput if two paths hold different kinds of quantity."""
     kinds = [{getattr(quantity_of(a), "kind", "number") for _, a in found_at(case, one)}
              for one in (path, other)]  # fmt: skip
     if kinds[1] and kinds[0] != kinds[1]:
@@ -170,36 +170,38 @@ def _require_alike(case: Case, path: str, other: str) -> None:
 
 
 def _written(case: Case, path: str, value: float) -> str:
-    """A value of a path in a usual unit."""
+    """Text of a value of a path in a usual unit."""
     quantity = quantity_of(found_at(case, path)[0][1])
     unit = "" if quantity is None else usual_unit(quantity, [value])
     return f"{value / (parse_unit(unit).scale if unit else 1.0):g} {unit}".rstrip()
 
 
 def _short(path: str) -> str:
-    """A path without what all paths have."""
-    left = [
+    """Short name from a path: steps common to most paths are dropped."""
+    steps = [
         step for step in path.split(".")[1:] if step not in ("sleeves", "bearings", "model", "*")
     ]
-    return " ".join(left).replace("_", " ") or path
+    return " ".join(steps).replace("_", " ") or path
 
 
 def _number(case: Case, path: str, value: object) -> float:
-    found = found_at(case, path)
-    if not found:
-        vary(case, {path: value})  # which says where the path goes astray
+    places = found_at(case, path)
+    if not places:
+        vary(case, {path: value})  # raises with the part of the path that does not exist
         raise InvalidInput(f"{path}: leads nowhere")
     try:
-        taken = accept(found[0][1], value)
+        accepted = accept(places[0][1], value)
     except Refused as refusal:
         raise InvalidInput(f"{path}{refusal.place}: {refusal.why}") from None
-    if isinstance(taken, bool) or not isinstance(taken, float | int):
-        raise InvalidInput(f"{path}: holds no number, so that it cannot be sought: {shown(taken)}")
-    return float(taken)
+    if isinstance(accepted, bool) or not isinstance(accepted, float | int):
+        raise InvalidInput(
+            f"{path}: holds no number, so that it cannot be sought: {shown(accepted)}"
+        )
+    return float(accepted)
 
 
 def _amount(case: Case, path: str, value: float | str) -> float:
-    """A deviation: a difference of what the path holds, which may be below its range."""
+    """Convert a deviation, a difference of the quantity of the path; its range does not apply."""
     if not isinstance(value, str):
         return float(value)
     quantity = quantity_of(found_at(case, path)[0][1])

@@ -1,8 +1,8 @@
-"""Differences of prediction and observation, weighed by noise, without what the rig may add.
+"""Differences of prediction and observation, weighed by noise, without nuisances of the rig.
 
 Tare and drift are linear: for every prediction the best ones follow by linear least squares, and
-what they take up is projected out (variable projection: G. Golub and V. Pereyra, SIAM J. Numer.
-Anal. 10, 1973). A prior of a nuisance is one more row that observes it to be zero.
+their contribution is projected out (variable projection: G. Golub and V. Pereyra, SIAM J. Numer.
+Anal. 10, 1973). A prior of a nuisance is an additional row that observes it to be zero.
 """
 
 from __future__ import annotations
@@ -16,21 +16,21 @@ from numpy.typing import NDArray
 from rotordyn.study.identification.measurement import Data
 
 Array = NDArray[np.float64]
-ROUNDS, SAME = 100, 1e-4  # of weighing anew; change of differences over noise that ends them
-FLOOR = 0.05  # least difference over noise that weighs no more
+ROUNDS, SAME = 100, 1e-4  # reweightings at most; change of differences over noise that ends them
+FLOOR = 0.05  # difference over noise below which the weight grows no further
 
 
 @dataclass(frozen=True, eq=False)
 class Weighing:
-    """One measurement as rows of a least-squares problem; ``weight`` (n,): of the rows besides."""
+    """Rows of a least-squares problem of one measurement; ``weight`` (n,): additional weights."""
 
     data: Data
     weight: Array | None = None
 
     @property
     def _rows(self) -> Array:
-        own = 1.0 / self.data.deviation
-        return own if self.weight is None else own * self.weight
+        by_noise = 1.0 / self.data.deviation
+        return by_noise if self.weight is None else by_noise * self.weight
 
     @cached_property
     def _columns(self) -> Array:
@@ -43,7 +43,7 @@ class Weighing:
         return np.asarray(np.linalg.qr(self._columns)[0])
 
     def weighed(self, difference: Array) -> Array:
-        """Differences (n,) or (n, p) as rows (n + k, …) without what nuisances take up."""
+        """Weigh differences (n,) or (n, p) and project nuisances out: rows (n + k, …)."""
         k = len(self.data.column_deviation)
         rows = (difference.T * self._rows).T
         rows = np.concatenate([rows, np.zeros((k, *difference.shape[1:]))])
@@ -52,7 +52,7 @@ class Weighing:
         return np.asarray(rows - self._basis @ (self._basis.T @ rows))
 
     def nuisances(self, predicted: Array) -> Array:
-        """Best tare and drift (k,) [SI] for a prediction."""
+        """Best nuisances (tare, drift) (k,) [SI] for a prediction."""
         if not self.data.column_names:
             return np.empty(0)
         target = self._rows * (self.data.observed - predicted)
@@ -60,21 +60,21 @@ class Weighing:
         return np.asarray(np.linalg.lstsq(self._columns, target, rcond=None)[0])
 
     def anew(self, predicted: Array) -> Weighing:
-        """Rows weighed by their differences so that nuisances make the mean absolute one least."""
+        """Reweigh the rows so that the nuisances minimise the mean absolute difference."""
         size = np.abs(self.residual(predicted)) / self.data.deviation
         for _ in range(ROUNDS):
-            found = replace(self, weight=1.0 / np.sqrt(np.maximum(size, FLOOR)))
-            before, size = size, np.abs(found.residual(predicted)) / self.data.deviation
+            reweighed = replace(self, weight=1.0 / np.sqrt(np.maximum(size, FLOOR)))
+            before, size = size, np.abs(reweighed.residual(predicted)) / self.data.deviation
             if np.abs(size - before).max() < SAME:
                 break
-        return found
+        return reweighed
 
     def beside(self, predicted: Array) -> float:
-        """Sum of squares of the rows of the priors of nuisances."""
-        known = self.nuisances(predicted) / self.data.column_deviation
-        return float(known @ known)
+        """Sum of squares of the prior rows of the nuisances."""
+        scaled = self.nuisances(predicted) / self.data.column_deviation
+        return float(scaled @ scaled)
 
     def residual(self, predicted: Array) -> Array:
-        """What of the observation neither machine nor nuisances explain (n,) [SI]."""
+        """Observed values less prediction and nuisances (n,) [SI]."""
         explained = self.data.columns @ self.nuisances(predicted)
         return np.asarray(self.data.observed - predicted - explained)

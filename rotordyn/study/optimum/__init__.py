@@ -1,7 +1,7 @@
 """The best machine for stated goals within stated limits.
 
-``criterion`` what is read of a solved case, ``goals`` and limits on it, ``problem`` the choices and
-what a trial of one comes to, ``trials`` those made so far, on disk as they come, ``search`` which
-are made next, ``front`` the trade-off of two goals, ``solve`` the call; ``deliver`` writes its
-folder: ``summary`` and tables, ``figures``; ``page`` shows it.
+``criterion`` reads numbers of a solved case, ``goals`` holds goals and limits on them, ``problem``
+the choices and the evaluation of one of them, ``trials`` those made so far, kept on disk,
+``search`` chooses the next ones, ``front`` the trade-off of two goals, ``solve`` is the call;
+``deliver`` writes the folder, with ``summary``, tables and ``figures``; ``page`` its HTML page.
 """

@@ -1,4 +1,4 @@
-"""What a goal or limit reads of a solved case: headline numbers, or a variable of a result."""
+"""Numbers of a solved case that a goal or limit refers to: headline numbers, or a variable."""
 
 from __future__ import annotations
 
@@ -21,13 +21,14 @@ from rotordyn.results.headline import Number
 from rotordyn.results.kinds import Array
 from rotordyn.units import in_unit, parse_unit
 
-ALIKE = 1e-9  # relative difference of coordinates that are the same
+ALIKE = 1e-9  # relative difference up to which coordinates are equal
 
 
 class Reading(NamedTuple):
-    """Values that a criterion reads, as printed, without those that are absent; their unit; the
-    heading of each, or the variable with the entries that several have; of headline numbers the
-    ``speeds`` [rpm], None of one that has none, and how many are ``absent``."""
+    """Values read by a criterion, in printed ``unit``; missing ones are dropped.
+
+    ``names``: heading of each number, or variable and entries of its coordinates. Of headline
+    numbers: ``speeds`` [rpm] (None without one), and how many numbers are ``absent``."""
 
     values: Array
     unit: str
@@ -38,12 +39,14 @@ class Reading(NamedTuple):
 
 @dataclass(frozen=True)
 class Criterion:
-    """What is read: ``of`` "analysis: words" all headline numbers that begin with these words,
-    whole ones where there are such, of those in several units the ones whose whole name they are;
-    or ``of`` "analysis.variable" a variable of its dataset, by its size where it is complex.
+    """Selection of numbers of a solved case.
 
-    ``where``: entries of its coordinates, by name a word (``*`` any letters), a number, or a pair
-    of numbers that bound a range; numbers in SI units or text with a unit.
+    ``of`` "analysis: words": all headline numbers that begin with these words (with whole words, if
+    any do); if they have several units, those named exactly so. ``of`` "analysis.variable": a
+    variable of the dataset, its absolute value if complex.
+
+    ``where``: selects entries of its coordinates: a text (``*`` stands for any characters), a
+    number, or a pair of numbers that bound a range; numbers in SI units or text with a unit.
     """
 
     of: str
@@ -51,22 +54,23 @@ class Criterion:
 
     @property
     def analysis(self) -> str:
-        """The analysis that is asked."""
+        """Name of the analysis."""
         return self.of.replace(":", ".").partition(".")[0].strip()
 
     @property
     def words(self) -> str:
-        """As a heading."""
+        """Heading of the selection."""
         chosen = ", ".join(f"{key} {span(value)}" for key, value in self.where.items())
         return f"{self.of} ({chosen})" if chosen else self.of
 
     def read(self, case: Case, results: Mapping[str, Any]) -> Reading:
-        """All values, those without a number left out; none of modes and critical speeds that the
-        machine has not.
+        """Read the selected values; missing numbers, and modes or critical speeds that the machine
+        lacks, are dropped.
 
         Raises
         ------
-        InvalidInput : no such number, variable, coordinate or entry; the sentence says which exist
+        InvalidInput : no such number, variable, coordinate or entry; the sentence lists those there
+            are
         """
         result = results[self.analysis]
         if ":" in self.of:
@@ -77,8 +81,8 @@ class Criterion:
         words = self.of.partition(":")[2].strip()
         about = analysis(self.analysis)
         numbers = list(about.numbers(result, case))
-        found = _begun(numbers, words) or _begun(about.lacking(result), words)
-        if not found:
+        selected = _begun(numbers, words) or _begun(about.lacking(result), words)
+        if not selected:
             names = list(dict.fromkeys(each.name for each in numbers))
             raise InvalidInput(
                 f"{shown(self.of)}: {self.analysis} has no such number; allowed: "
@@ -86,19 +90,19 @@ class Criterion:
             )
         if self.where:
             raise InvalidInput(f"{shown(self.of)}: where selects of a variable, not of a number")
-        if len({each.unit for each in found}) > 1:
-            found = [each for each in found if each.name == words] or found
-        if len({each.unit for each in found}) > 1:
-            several = ", ".join(dict.fromkeys(each.name for each in found))
+        if len({each.unit for each in selected}) > 1:
+            selected = [each for each in selected if each.name == words] or selected
+        if len({each.unit for each in selected}) > 1:
+            several = ", ".join(dict.fromkeys(each.name for each in selected))
             raise InvalidInput(
                 f"{shown(self.of)}: these numbers have several units: name one of {several}"
             )
-        unit = found[0].unit
-        known = [each for each in found if not np.isnan(each.value)]
-        names = [f"{self.analysis}: {each.heading.removesuffix(f' [{unit}]')}" for each in known]
-        speeds = tuple(each.speed for each in known)
-        values = np.array([each.value for each in known])
-        return Reading(values, unit, tuple(names), speeds, len(found) - len(known))
+        unit = selected[0].unit
+        present = [each for each in selected if not np.isnan(each.value)]
+        names = [f"{self.analysis}: {each.heading.removesuffix(f' [{unit}]')}" for each in present]
+        speeds = tuple(each.speed for each in present)
+        values = np.array([each.value for each in present])
+        return Reading(values, unit, tuple(names), speeds, len(selected) - len(present))
 
     def _variable(self, result: Any) -> Reading:
         name = self.of.partition(".")[2]
@@ -121,32 +125,32 @@ class Criterion:
                 )
             unit = declared(result)[coordinate].metadata["printed"].unit
             entries, further = getattr(result, coordinate), others.get(coordinate, ())
-            places = _places(self.of, coordinate, entries, asked, unit, further)
-            values = values.take(places, axis=dims.index(coordinate))
-            written[coordinate] = [written[coordinate][k] for k in places]
+            indices = _places(self.of, coordinate, entries, asked, unit, further)
+            values = values.take(indices, axis=dims.index(coordinate))
+            written[coordinate] = [written[coordinate][k] for k in indices]
         several = [words if len(words) > 1 else [""] for words in written.values()]
         names = [", ".join(filter(None, words)) for words in product(*several)]
-        known = ~np.isnan(values.reshape(-1))
+        present = ~np.isnan(values.reshape(-1))
         return Reading(
-            values.reshape(-1)[known] * printed.factor,
+            values.reshape(-1)[present] * printed.factor,
             printed.unit,
-            tuple(f"{self.of} {words}".strip() for words in compress(names, known)),
+            tuple(f"{self.of} {words}".strip() for words in compress(names, present)),
         )
 
 
 def _begun(numbers: Iterable[Number], words: str) -> list[Number]:
-    """Those whose heading begins with words, with whole ones where there are such."""
-    found = [each for each in numbers if each.heading.startswith(words)]
-    return [each for each in found if f"{each.heading} ".startswith(f"{words} ")] or found
+    """Numbers whose heading begins with ``words``; only whole words count, if any match."""
+    matching = [each for each in numbers if each.heading.startswith(words)]
+    return [each for each in matching if f"{each.heading} ".startswith(f"{words} ")] or matching
 
 
 def span(value: object) -> str:
-    """An entry, or the ends of a range, in words."""
+    """Text of an entry, or of the ends of a range."""
     return " to ".join(map(str, value)) if isinstance(value, list | tuple) else str(value)
 
 
 def variables(result: Any) -> dict[str, tuple[str, ...]]:
-    """Variables of a result that are numbers, with their dimensions."""
+    """Dimensions of the numeric variables of a result, by name."""
     return {
         key: each.metadata["dims"]
         for key, each in declared(result).items()
@@ -167,8 +171,8 @@ def _written(result: Any, coordinate: str) -> list[str]:
 
 
 def _alike(word: str, pattern: str) -> bool:
-    """Whether a word is that of a pattern; a number before ``*`` ends there: ``bending 1*`` is not
-    ``bending 10``."""
+    """Whether a word matches a pattern; ``*`` after a digit does not match further digits:
+    ``bending 1*`` does not match ``bending 10``."""
     ending = re.sub(r"(?<=\d)(?=\.\*|\(\?>\.\*)", r"(?!\\d)", translate(pattern))
     return re.match(ending, word) is not None
 
@@ -176,30 +180,30 @@ def _alike(word: str, pattern: str) -> bool:
 def _places(
     of: str, name: str, entries: Any, asked: object, unit: str, others: Sequence[str] = ()
 ) -> list[int]:
-    """Which entries of a coordinate are meant; none where these are ``others``."""
+    """Indices of the entries of a coordinate ``asked`` for; none if only ``others`` match."""
     if not _is_number(entries):
         words = [str(each) for each in entries]
-        found = [k for k, word in enumerate(words) if _alike(word, str(asked))]
-        if not found and not any(_alike(word, str(asked)) for word in others):
+        matching = [k for k, word in enumerate(words) if _alike(word, str(asked))]
+        if not matching and not any(_alike(word, str(asked)) for word in others):
             raise InvalidInput(
                 f"{shown(of)}: no {name} {shown(asked)}; allowed: {', '.join(words)}"
                 f"{suggestion(str(asked), words)}"
             )
-        return found
+        return matching
     values = np.asarray(entries, dtype=float)
     ends = asked if isinstance(asked, list | tuple) else (asked, asked)
     if len(ends) != 2:
         raise InvalidInput(f"{shown(of)}: {name} takes one number or two, got {shown(asked)}")
     try:
         for each in ends:
-            amount(each, unit)  # of its kind
+            amount(each, unit)  # refuses a unit of another dimension
         low, high = (amount(each, "") for each in ends)
     except InvalidInput as refusal:
         raise InvalidInput(f"{shown(of)}: {name}: {refusal}") from None
     room = ALIKE * max(abs(low), abs(high))
     inside = (values >= low - room) & (values <= high + room)
     if not inside.any():
-        suffix = str(ends[0]).strip().partition(" ")[2]  # a unit, as it was asked in
+        suffix = str(ends[0]).strip().partition(" ")[2]  # the unit in which it was given
         low, high = (in_unit(v, suffix) if suffix else v for v in (values.min(), values.max()))
         raise InvalidInput(
             f"{shown(of)}: no {name} at {shown(asked)}; it goes from {low:.6g} to {high:.6g} "
@@ -209,11 +213,11 @@ def _places(
 
 
 def amount(given: object, unit: str) -> float:
-    """A number (SI), or text with a unit, counted in the printed ``unit``; SI where that is empty.
+    """Convert a number (SI), or text with a unit, to the printed ``unit``; to SI if that is empty.
 
     Raises
     ------
-    InvalidInput : no number; a unit of another kind than ``unit``
+    InvalidInput : not a number; a unit of another dimension than ``unit``
     """
     word, _, suffix = str(given).strip().partition(" ")
     try:

@@ -1,4 +1,4 @@
-"""An optimum sought into its folder: trials as they come, the best as a case, table, figures."""
+"""Search an optimum and write its folder: trials as they come, best case, table, figures."""
 
 from __future__ import annotations
 
@@ -35,38 +35,38 @@ def deliver(
     draw: bool = True,
     formats: Sequence[str] = USUAL_FORMATS,
 ) -> tuple[Optimum, str]:
-    """Search and write what it came to; returns it and its summary.
+    """Search, write the folder, and return the optimum and its summary.
 
     Raises
     ------
     InvalidInput, NoSolution : see ``optimise``; trials that were made stay in the folder
     """
-    found = optimum.solved(problem, trials, seed, workers, folder, progress)
-    text = summary(found)
+    result = optimum.solved(problem, trials, seed, workers, folder, progress)
+    text = summary(result)
     try:
         with whole_files(folder) as place:
-            if found.best is not None:
-                text += _write_best(problem, found.best, place / BEST, folder)
+            if result.best is not None:
+                text += _write_best(problem, result.best, place / BEST, folder)
             (place / SUMMARY).write_text(text + "\n", encoding="utf-8")
-            write_trials(place, found)
-            write_about(place, found)
+            write_trials(place, result)
+            write_about(place, result)
             if draw:
                 from rotordyn.figures.draw import draw_one
                 from rotordyn.study.optimum.figures import figures
 
-                for name, drawing in figures(found):
+                for name, drawing in figures(result):
                     draw_one(name, drawing, place, formats)
     except OSError as error:
         raise InvalidInput(f"{folder}: cannot be written: {error.strerror}") from None
-    return found, text
+    return result, text
 
 
 def _write_best(problem: Problem, best: Trial, path: Path, home: Path) -> str:
-    """Write the best as a case; a line that says so where a file cannot say what it is.
+    """Write the best machine as a case file; return a sentence if that is not possible, else "".
 
-    What the file of the case says of its models holds for those that were tried only if written
-    again: the file is read, and what differs of it is written beside the choices. ``home``: the
-    folder that it is for.
+    Settings of the case that refer to replaced models may have to be repeated: the written file is
+    read, and fields that differ from the wanted case are added to the changes. ``home``: the folder
+    in which the file will finally stand.
     """
     wanted = changed(problem.case, problem.values(best.number))
     title = f"{problem.case.title or problem.case.name}: the best"
@@ -74,20 +74,20 @@ def _write_best(problem: Problem, best: Trial, path: Path, home: Path) -> str:
     try:
         for _ in range(2):
             write_changed(problem.case, changes, path, title=title)
-            left = unlike(load(path), wanted)
-            if not left:
+            differing = unlike(load(path), wanted)
+            if not differing:
                 write_changed(problem.case, changes, path, title=title, home=home)
                 return ""
-            changes |= {way: _in_file(value, of) for way, (value, of) in left.items()}
-        why = f"it would differ in {', '.join(list(left)[:3])}"
+            changes |= {way: _in_file(value, of) for way, (value, of) in differing.items()}
+        reason = f"it would differ in {', '.join(list(differing)[:3])}"
     except InvalidInput as refusal:
-        why = str(refusal).replace(f"{path}:", "line ").replace("\n", "; ")
+        reason = str(refusal).replace(f"{path}:", "line ").replace("\n", "; ")
     path.unlink(missing_ok=True)
-    return f"\n\nThere is no {BEST}, which cannot be written: {why}."
+    return f"\n\nThere is no {BEST}, which cannot be written: {reason}."
 
 
 def _as_written(problem: Problem, trial: Trial) -> dict[str, Any]:
-    """Values by path as a file says them; those within others behind them."""
+    """Values by path as a file writes them, outer paths before paths inside them."""
     values, labels = problem.values(trial.number), problem.labels(trial.number)
     parameters = sorted(problem.parameters, key=lambda p: p.path.count("."))
     return {
@@ -99,7 +99,7 @@ def _as_written(problem: Problem, trial: Trial) -> dict[str, Any]:
 
 
 def _in_file(value: Any, quantity: Quantity | None) -> Any:
-    """A value as a file says it, numbers to the last digit, files by their whole path."""
+    """Value as a file writes it: numbers with all digits and unit, file names as absolute paths."""
     if isinstance(value, float | int) and not isinstance(value, bool):
         if quantity is None:
             return value

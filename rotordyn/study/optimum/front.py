@@ -1,4 +1,4 @@
-"""The trade-off of two goals: places where none can be better without the other being worse."""
+"""The trade-off of two goals: the Pareto front, where neither improves but at the other's cost."""
 
 from __future__ import annotations
 
@@ -10,21 +10,22 @@ from rotordyn.study.optimum.problem import Problem, Trial
 from rotordyn.study.optimum.search import Cost, beside, local, search
 from rotordyn.study.optimum.trials import Spent, Trials
 
-LEVELS = 7  # of the second goal, between the best of either, at most
-EACH = 4  # trials of a level for every parameter: with fewer there are less levels
-ENDS = 0.6  # of the trials go to the best of each goal alone
-STEEP = 1e3  # growth of the first cost, over it, where the second is a level above its level
+LEVELS = 7  # largest number of levels of the second goal, between the best of either goal
+EACH = 4  # trials per parameter that a level needs at least
+ENDS = 0.6  # share of the trials spent on the best of each goal alone
+STEEP = 1e3  # penalty on the first cost, over it, per relative excess of the second over its level
 
 
 def cost_of(problem: Problem, goal: int) -> Cost:
-    """The cost of one of the goals."""
+    """Cost function of one goal; infinite without a solution."""
     return lambda trial: problem.goals[goal].cost(trial.goals[goal]) if trial.goals else np.inf
 
 
 def trade_off(problem: Problem, trials: Trials, seed: int) -> tuple[list[Trial], bool]:
-    """Front of two goals: the best of each, then of the first with the second held at levels.
+    """Search the front of two goals: the best of each, then the best of the first with the second
+    limited to levels in between.
 
-    Returns also whether the searches for the best of each have settled.
+    Returns the front, and whether the searches for the best of each goal have converged.
     """
     costs = [cost_of(problem, k) for k in (0, 1)]
     most = trials.most - len(trials.made)
@@ -32,40 +33,41 @@ def trade_off(problem: Problem, trials: Trials, seed: int) -> tuple[list[Trial],
         search(problem, trials, costs[0], most, seed)
         return front(problem, trials), True
     share = int(0.5 * ENDS * most)
-    settled = [search(problem, trials, cost, share, seed) for cost in costs]
-    found = front(problem, trials)
-    levels = [costs[1](each) for each in found]
-    if len(found) > 1 and np.isfinite(levels).all():
+    converged = [search(problem, trials, cost, share, seed) for cost in costs]
+    best = front(problem, trials)
+    levels = [costs[1](each) for each in best]
+    if len(best) > 1 and np.isfinite(levels).all():
         with suppress(Spent):
             _between(problem, trials, costs, (levels[-1], levels[0]))
     else:  # one machine is the best in both so far
         search(problem, trials, costs[0], trials.most - len(trials.made), seed + 1)
-    return front(problem, trials), all(settled)
+    return front(problem, trials), all(converged)
 
 
 def _between(
     problem: Problem, trials: Trials, costs: list[Cost], ends: tuple[float, float]
 ) -> None:
-    """The best of the first goal with the second held at levels, each sought from the best so far.
+    """Search the best of the first goal with the second limited to levels, each from the best so
+    far.
 
     Raises
     ------
-    Spent : all trials that were granted have been made
+    Spent : all allowed trials have been made
     """
     least = EACH * len(problem.parameters)
     levels = int(np.clip((trials.most - len(trials.made)) // least, 1, LEVELS))
     for k, level in enumerate(np.linspace(*ends, levels + 2)[1:-1]):
-        held, left = _held(costs, float(level)), trials.most - len(trials.made)
-        near = min(trials.made.values(), key=lambda t: (not t.feasible, held(t)))
-        share = left // (levels - k)
+        penalised, remaining = _held(costs, float(level)), trials.most - len(trials.made)
+        start = min(trials.made.values(), key=lambda t: (not t.feasible, penalised(t)))
+        share = remaining // (levels - k)
         if problem.whole.all():
-            beside(problem, trials, held, len(trials.made) + share)
+            beside(problem, trials, penalised, len(trials.made) + share)
         else:
-            local(problem, trials, held, near, share)
+            local(problem, trials, penalised, start, share)
 
 
 def _held(costs: list[Cost], level: float) -> Cost:
-    """The first cost, and what the second has above a level as a steep slope."""
+    """The first cost with a steep penalty on the excess of the second over a level."""
 
     def cost(trial: Trial) -> float:
         first, second = costs[0](trial), costs[1](trial)
@@ -76,14 +78,14 @@ def _held(costs: list[Cost], level: float) -> Cost:
 
 
 def front(problem: Problem, trials: Trials) -> list[Trial]:
-    """Feasible trials that no other beats in both goals, by the first; equal ones once."""
+    """Feasible trials that no other beats in both goals, sorted by the first; equal ones once."""
     costs = [cost_of(problem, k) for k in (0, 1)]
-    good = [each for each in trials.made.values() if each.feasible]
-    good.sort(key=lambda t: (costs[0](t), costs[1](t)))
-    kept: list[Trial] = []
+    feasible = [each for each in trials.made.values() if each.feasible]
+    feasible.sort(key=lambda t: (costs[0](t), costs[1](t)))
+    nondominated: list[Trial] = []
     least = np.inf
-    for each in good:
-        if not kept or costs[1](each) < least:
-            kept.append(each)
+    for each in feasible:
+        if not nondominated or costs[1](each) < least:
+            nondominated.append(each)
             least = costs[1](each)
-    return kept
+    return nondominated

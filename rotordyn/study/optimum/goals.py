@@ -12,14 +12,14 @@ from rotordyn.errors import InvalidInput
 from rotordyn.field import shown
 from rotordyn.study.optimum.criterion import Criterion, Reading, amount, span
 
-LARGEST = 1e6  # violation of a limit, and what one without a value counts
+LARGEST = 1e6  # bound on the violation of a limit, also that of a limit without a value
 
 
 @dataclass(frozen=True)
 class Goal:
-    """The worst of what is read is to be as ``highest`` or as ``lowest`` as possible.
+    """Goal: the worst of the selected numbers is to be as high or as low as possible.
 
-    ``highest`` or ``lowest``, one of them: what, as ``Criterion.of``; ``where``: as there.
+    ``highest`` or ``lowest``, one of them: the numbers, as ``Criterion.of``; ``where``: as there.
     """
 
     highest: str | None = None
@@ -32,32 +32,32 @@ class Goal:
 
     @property
     def criterion(self) -> Criterion:
-        """What is read."""
+        """The numbers that are read."""
         return Criterion(self.highest or self.lowest or "", self.where)
 
     @property
     def words(self) -> str:
-        """As a heading."""
+        """Heading."""
         return f"{'highest' if self.highest else 'lowest'} {self.criterion.words}"
 
     def worst(self, reading: Reading) -> float:
-        """The worst value read, as printed; NaN where there is none."""
+        """Worst of the values, as printed; NaN if there is none."""
         if not reading.values.size:
             return np.nan
         return float(reading.values.min() if self.highest else reading.values.max())
 
     def cost(self, worst: float) -> float:
-        """What is minimised."""
+        """Cost to be minimised."""
         return -worst if self.highest else worst
 
 
 @dataclass(frozen=True)
 class Limit:
-    """All that is read stays ``at_least``, ``at_most`` or ``outside`` (a, b).
+    """Limit: all selected numbers are ``at_least``, ``at_most`` or ``outside`` (a, b).
 
     ``of``, ``where``: as of ``Criterion``. Bounds in SI units or text with a unit.
-    ``absent``: whether a number that is absent keeps the limit, such as the speed of a stop that is
-    never reached, or one of several.
+    ``absent``: whether a missing number satisfies the limit, such as the speed at which a stop
+    closes that never does.
     """
 
     of: str
@@ -77,12 +77,12 @@ class Limit:
 
     @property
     def criterion(self) -> Criterion:
-        """What is read."""
+        """The numbers that are read."""
         return Criterion(self.of, self.where)
 
     @property
     def words(self) -> str:
-        """As a heading."""
+        """Heading."""
         bounds = [
             *([f"at least {self.at_least}"] if self.at_least is not None else []),
             *([f"at most {self.at_most}"] if self.at_most is not None else []),
@@ -91,15 +91,15 @@ class Limit:
         return f"{self.criterion.words} {' and '.join(bounds)}"
 
     def margin(self, reading: Reading) -> tuple[float, float]:
-        """Room to the nearest bound, as a share of it, below 0 beyond it; the value read there."""
+        """Least margin to a bound, over the bound, negative if violated; and its value."""
         values = reading.values
-        rooms = np.full(values.shape, np.inf)
+        margins = np.full(values.shape, np.inf)
         if self.at_least is not None:
             low = self._bound(self.at_least, reading)
-            rooms = np.minimum(rooms, (values - low) / (abs(low) or 1.0))
+            margins = np.minimum(margins, (values - low) / (abs(low) or 1.0))
         if self.at_most is not None:
             high = self._bound(self.at_most, reading)
-            rooms = np.minimum(rooms, (high - values) / (abs(high) or 1.0))
+            margins = np.minimum(margins, (high - values) / (abs(high) or 1.0))
         if self.outside is not None:
             low, high = (self._bound(end, reading) for end in self.outside)
             if not low < high:
@@ -107,11 +107,13 @@ class Limit:
                     f"limit of {shown(self.of)}: outside goes from low to high, got "
                     f"{span(self.outside)}"
                 )
-            rooms = np.minimum(rooms, np.maximum(low - values, values - high) / (abs(high) or 1.0))
+            margins = np.minimum(
+                margins, np.maximum(low - values, values - high) / (abs(high) or 1.0)
+            )
         if not values.size or (reading.absent and not self.absent):
             return (LARGEST if self.absent else -LARGEST), np.nan
-        worst = int(np.argmin(rooms))
-        return float(np.clip(rooms[worst], -LARGEST, LARGEST)), float(values[worst])
+        worst = int(np.argmin(margins))
+        return float(np.clip(margins[worst], -LARGEST, LARGEST)), float(values[worst])
 
     def _bound(self, given: float | str, reading: Reading) -> float:
         try:

@@ -1,4 +1,4 @@
-"""The folder of an optimum as one HTML page."""
+"""HTML page of the folder of an optimum."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ from rotordyn.study.columns import (
 )
 from rotordyn.study.optimum.summary import ABOUT, BEST, SUMMARY, TABLE
 
-ENDS = 2  # columns of the table behind goals and limits: whether all are kept, why not solved
+ENDS = 2  # last columns of the table: whether all limits are kept, why not solved
 
 
 class OptimumFolder(NamedTuple):
-    """What is read of the folder: what is known ``about`` the search, and its table in parts."""
+    """Content of the folder: data ``about`` the search, and its table in parts."""
 
     about: dict[str, Any]
     summary: str
@@ -42,23 +42,24 @@ class OptimumFolder(NamedTuple):
 
 
 def optimum_page(folder: Path) -> Page:
-    """What the page of an optimum shows.
+    """Build the page of an optimum.
 
     Raises
     ------
-    InvalidInput : the search did not end, or another version wrote it
+    InvalidInput : the search did not end, or another version wrote the folder
     """
-    held = _read(folder)
-    found = held.about["best"] is not None
-    kept = sum(word == "yes" for word in held.ends[0].words)
-    said = f"{'✓' if found else '✕'} {len(held.trial.words)} trials, {kept} of them keep all limits"
+    optimum = _read(folder)
+    has_best = optimum.about["best"] is not None
+    feasible = sum(word == "yes" for word in optimum.ends[0].words)
+    count, sign = len(optimum.trial.words), "✓" if has_best else "✕"
+    verdict = f"{sign} {count} trials, {feasible} of them keep all limits"
     return Page(
-        title=held.about["title"],
-        about=["Optimum: the best of what may be chosen", held.date],
-        verdict=f"{said}. {held.about['verdict'][0]}",
-        grave=not found,
-        sections=sections([*_blocks(held)]),
-        footer=f"{held.about['source']}. {held.date}",
+        title=optimum.about["title"],
+        about=["Optimum: the best of what may be chosen", optimum.date],
+        verdict=f"{verdict}. {optimum.about['verdict'][0]}",
+        grave=not has_best,
+        sections=sections([*_blocks(optimum)]),
+        footer=f"{optimum.about['source']}. {optimum.date}",
     )
 
 
@@ -80,43 +81,43 @@ def _read(folder: Path) -> OptimumFolder:
     return OptimumFolder(about, summary, best, trial, *parts, f"{written:%Y-%m-%d %H:%M UTC}")
 
 
-def _blocks(held: OptimumFolder) -> Iterator[tuple[str, Block]]:
-    about = held.about
-    head, *rows = about["rows"]
-    yield "Verdict", Table("The case and what was found", head, rows)
+def _blocks(optimum: OptimumFolder) -> Iterator[tuple[str, Block]]:
+    about = optimum.about
+    heading, *rows = about["rows"]
+    yield "Verdict", Table("The case and what was found", heading, rows)
     yield "Verdict", Text(about["verdict"])
     if about["warnings"]:
         yield "Verdict", Text(about["warnings"], listed=True, title="Warnings")
-    yield "Verdict", Printed("Summary", held.summary)
-    yield "What may be chosen", varied_table("What was tried", held.varied)
-    goals, limits = held.values[: about["goals"]], held.values[about["goals"] :]
+    yield "Verdict", Printed("Summary", optimum.summary)
+    yield "What may be chosen", varied_table("What was tried", optimum.varied)
+    goals, limits = optimum.values[: about["goals"]], optimum.values[about["goals"] :]
     shown = [*goals, *(each for each in limits if each.moves)]
-    yield "Trade-off", _scatter(held, shown)
-    yield "Trials across", parallel_coordinates("Trials across", held.varied, shown, goals[0])
-    columns = [held.trial, *held.varied, *held.values, *held.ends]
+    yield "Trade-off", _scatter(optimum, shown)
+    yield "Trials across", parallel_coordinates("Trials across", optimum.varied, shown, goals[0])
+    columns = [optimum.trial, *optimum.varied, *optimum.values, *optimum.ends]
     yield "Trials", table_of("Trials", columns, TABLE)
-    if held.best:
-        yield "The best as a case", Printed(BEST, held.best)
-    origin = [("made with", about["source"]), ("date", held.date)]
+    if optimum.best:
+        yield "The best as a case", Printed(BEST, optimum.best)
+    origin = [("made with", about["source"]), ("date", optimum.date)]
     yield (
         "Origin",
         Table("Origin", ("", ""), [*origin, ("SHA-256 of what was read", about["digest"])]),
     )
 
 
-def _scatter(held: OptimumFolder, shown: list[Column]) -> Chart:
-    """Two goals over one another at first, or the goal over the first number that is chosen."""
-    about, count = held.about, len(held.trial.words)
-    kept = np.array([word == "yes" for word in held.ends[0].words])
+def _scatter(optimum: OptimumFolder, shown: list[Column]) -> Chart:
+    """Scatter chart, at first of the two goals, or of the goal over the first numeric parameter."""
+    about, count = optimum.about, len(optimum.trial.words)
+    feasible = np.array([word == "yes" for word in optimum.ends[0].words])
     front, best = (np.isin(np.arange(count), each) for each in (about["front"], [about["best"]]))
     ring = {"line": {"width": 1, "color": INK}}
     groups = [
-        Group("breaks a limit", ~kept, {"color": FAINT, "size": 7, "symbol": "x-thin-open"}),
-        Group("keeps all limits", kept, {"color": COLOURS[0], "size": 7, "opacity": 0.75}),
+        Group("breaks a limit", ~feasible, {"color": FAINT, "size": 7, "symbol": "x-thin-open"}),
+        Group("keeps all limits", feasible, {"color": COLOURS[0], "size": 7, "opacity": 0.75}),
         Group("trade-off", front, {"color": COLOURS[1], "size": 9, "symbol": "diamond", **ring}),
         Group("best", best, {"color": COLOURS[4], "size": 14, "symbol": "star", **ring}),
     ]
-    first = next((k for k, each in enumerate(held.varied) if not each.kinds), 0)
-    goal = len(held.varied)
+    first = next((k for k, each in enumerate(optimum.varied) if not each.kinds), 0)
+    goal = len(optimum.varied)
     start = (goal, goal + 1) if about["goals"] > 1 else (first, goal)
-    return scatter(held.varied, shown, groups, start)
+    return scatter(optimum.varied, shown, groups, start)

@@ -1,4 +1,4 @@
-"""The choices of a design, and what a trial of one of them comes to."""
+"""The choices of a design problem, and the evaluation of one of them."""
 
 from __future__ import annotations
 
@@ -24,18 +24,18 @@ from rotordyn.study.neighbours import Neighbours
 from rotordyn.study.optimum.goals import LARGEST, Goal, Limit
 from rotordyn.study.parameter import Parameter
 
-DIGITS = 10  # of a share: trials closer than that are one
-KEPT = -1e-9  # margin of a limit that counts as kept
+DIGITS = 10  # digits of a share: closer trials are the same
+KEPT = -1e-9  # least margin of a limit that counts as kept
 
 Place = tuple[float, ...]
 
 
 @dataclass(frozen=True)
 class Problem:
-    """A case, what may be chosen in it, goals and limits; ``left_out``: variants of the case.
+    """A case, its parameters, goals and limits; ``left_out``: variants of the case, ignored.
 
-    A ``place`` has a number for each parameter: a share in [0, 1] of the way between its ends, or
-    the number of a value.
+    A ``place`` (point of the design space) has a number for each parameter: its share in [0, 1] of
+    the range between the ends, or the index of a value.
     """
 
     case: Case
@@ -46,12 +46,12 @@ class Problem:
 
     @cached_property
     def whole(self) -> Flags:
-        """Which parameters have numbered values."""
+        """Flags of the parameters with listed or integer values."""
         return np.array([p.ends is None or p.whole for p in self.parameters])
 
     @cached_property
     def last(self) -> Array:
-        """Highest number of each parameter; 1 of shares."""
+        """Highest index of each parameter; 1 for shares."""
         return np.array([float(self._count(p) - 1) if w else 1.0 for p, w in self._each])
 
     @property
@@ -64,27 +64,27 @@ class Problem:
 
     @property
     def choices(self) -> float:
-        """How many choices there are; infinite with a parameter between ends."""
+        """Number of choices; infinite with a continuous parameter."""
         return math.prod(n + 1.0 for n in self.last) if self.whole.all() else math.inf
 
     def place(self, x: Sequence[float] | Array) -> Place:
-        """The place next to x."""
+        """Round x (n,) to the nearest place."""
         pairs = zip(np.clip(x, 0.0, self.last), self.whole, strict=True)
         return tuple(float(round(v)) if w else round(float(v), DIGITS) for v, w in pairs)
 
     @cached_property
     def present(self) -> Place | None:
-        """That of the case as it stands; None where it is no choice."""
+        """Place of the case itself; None if it is not one of the choices."""
         shares = [_share(p, [v for v, _ in found_at(self.case, p.path)]) for p in self.parameters]
-        known = [share for share in shares if share is not None]
-        return self.place(known) if len(known) == len(shares) else None
+        defined = [share for share in shares if share is not None]
+        return self.place(defined) if len(defined) == len(shares) else None
 
     def values(self, place: Place) -> dict[str, Any]:
-        """Values by path, as ``vary`` takes them."""
+        """Values at a place by path, as ``vary`` takes them."""
         return {p.path: self._value(p, w, s) for (p, w), s in zip(self._each, place, strict=True)}
 
     def labels(self, place: Place) -> dict[str, Any]:
-        """The same as coordinates: numbers in SI units, or words."""
+        """Coordinates of a place by path: numbers in SI units, or words."""
         return {
             p.path: p.labels[int(s)] if p.ends is None else self._value(p, w, s)
             for (p, w), s in zip(self._each, place, strict=True)
@@ -98,30 +98,31 @@ class Problem:
 
 
 def _share(p: Parameter, values: list[Any]) -> float | None:
-    """The number of a value that all places have; None where they differ, or it is no choice."""
+    """Share or index of the value common to all items of a path; None if they differ, or the value
+    is not a choice."""
     if p.ends is None:
         pairs = [*zip(p.values, p.labels, strict=True)]
         numbers = {next((k for k, pair in enumerate(pairs) if v in pair), None) for v in values}
-        found = numbers.pop() if len(numbers) == 1 else None
-        return None if found is None else float(found)
+        index = numbers.pop() if len(numbers) == 1 else None
+        return None if index is None else float(index)
     low, high = p.ends
-    if len(set(values)) != 1 or not isinstance(one := values[0], float | int):
+    if len(set(values)) != 1 or not isinstance(value := values[0], float | int):
         return None
-    if isinstance(one, bool) or not low <= one <= high:
+    if isinstance(value, bool) or not low <= value <= high:
         return None
     if p.whole:
-        return float(one - low)
-    return math.log(one / low) / math.log(high / low) if p.log else (one - low) / (high - low)
+        return float(value - low)
+    return math.log(value / low) / math.log(high / low) if p.log else (value - low) / (high - low)
 
 
 @dataclass(frozen=True)
 class Trial:
-    """What a place, its ``number``, came to.
+    """Evaluation of a place, its ``number``.
 
-    ``goals``: worst values, as printed; ``margins`` of the limits, shares of their bounds, and
-    ``readings``, the values with these; ``units`` of goals, then limits, and how many of the
-    numbers that these read are ``absent``. ``sentence``: why there are none, why some speeds have
-    none or end early. ``seconds``: to solve it.
+    ``goals``: worst values, as printed; ``margins`` of the limits, over their bounds, and
+    ``readings``, the values with these margins; ``units`` of goals, then limits, and how many of
+    their numbers are ``absent``. ``sentence``: why there is no result, or why some speeds have none
+    or end early. ``seconds``: time to solve it.
     """
 
     number: Place
@@ -136,48 +137,48 @@ class Trial:
 
     @property
     def violation(self) -> float:
-        """By how much limits are broken, as shares of their bounds; 0 where all are kept."""
+        """Sum of the violations of limits, over their bounds; 0 if all are kept."""
         if not self.goals or self.sentence or any(math.isnan(v) for v in self.goals):
             return LARGEST * (1.0 + len(self.margins))
         return sum(-m for m in self.margins if m < KEPT)
 
     @property
     def feasible(self) -> bool:
-        """Whether it has all goals and keeps all limits."""
+        """Whether all goals have values and all limits are kept."""
         return self.violation == 0.0
 
 
 def solve_trial(packed: bytes, place: Place, places: int = 1) -> Trial:
-    """Try a place of a pickled problem, in whatever process this is, one of so many."""
+    """Evaluate a place of a pickled problem in this process, which has ``places`` to evaluate."""
     problem, neighbours = _unpacked(packed)
     begin = time.perf_counter()
     try:
-        found = trial(problem, place, neighbours)
+        result = trial(problem, place, neighbours)
     except (InvalidInput, BearingError, NoSolution) as error:
-        found = Trial(place, sentence=str(error))
-    return replace(found, seconds=time.perf_counter() - begin)
+        result = Trial(place, sentence=str(error))
+    return replace(result, seconds=time.perf_counter() - begin)
 
 
 def trial(problem: Problem, place: Place, neighbours: Neighbours | None = None) -> Trial:
-    """A place solved and read, after its neighbours.
+    """Evaluate a place; ``neighbours``: solver that reuses stages of previous machines.
 
     Raises
     ------
-    InvalidInput : its values contradict one another, or a goal or limit asks for what is not there
+    InvalidInput : its values contradict one another, or a goal or limit selects nothing
     NoSolution : no speed has a solution
     """
     return _read(problem, place, changed(problem.case, problem.values(place)), neighbours)
 
 
 def as_it_stands(problem: Problem) -> Trial:
-    """The case without any change; raises what ``trial`` raises."""
+    """Evaluate the case without any change; raises what ``trial`` raises."""
     return _read(problem, (), problem.case)
 
 
 def _read(
     problem: Problem, place: Place, case: Case, neighbours: Neighbours | None = None
 ) -> Trial:
-    """A case solved, and what goals and limits read of it."""
+    """Solve a case and read its goals and limits."""
     answers, _ = (neighbours or Neighbours()).solve(case)
     goals = [(goal, goal.criterion.read(case, answers.results)) for goal in problem.goals]
     limits = [(limit, limit.criterion.read(case, answers.results)) for limit in problem.limits]
@@ -195,7 +196,7 @@ def _read(
 
 
 def _early(results: Mapping[str, Any]) -> list[str]:
-    """Why answers over time end early: the largest up to there is not the largest of all."""
+    """Sentences on time responses that end early, so that their largest values are not known."""
     return [str(w) for r in results.values() for w in getattr(r, "ending", ()) if str(w)]
 
 

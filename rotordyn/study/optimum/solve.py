@@ -1,4 +1,4 @@
-"""The best machine found, and why it is no better."""
+"""Optimise a case: the best machine, and the limits that bind it."""
 
 from __future__ import annotations
 
@@ -34,18 +34,18 @@ if TYPE_CHECKING:
     import xarray as xr
 
 UNSETTLED = "The trials ended before the search had settled: more of them may go further."
-ALIKE = 1e-6  # of a cost: so much is rounding of what is chosen
-BINDING = 1e-3  # margin of a limit, or share of a way between ends, that holds the best back
+ALIKE = 1e-6  # relative difference of costs that rounding of the parameters may cause
+BINDING = 1e-3  # margin of a limit, or distance from an end over the range, that counts as binding
 
 
 @dataclass(frozen=True)
 class Optimum:
-    """What a search for the best machine came to.
+    """Result of a search for the best machine.
 
-    ``start``: the case as it stands; ``trials`` in the order in which they were made; ``best``: the
-    feasible one of the first goal, None where no trial keeps all limits; ``front``: of two goals,
-    the trials of which none beats another in both. ``settled``: the search came to where its
-    last trials hardly found better.
+    ``start``: the case itself; ``trials`` in the order in which they were made; ``best``: the
+    feasible trial that is best in the first goal, None if no trial keeps all limits; ``front``: for
+    two goals, the trials of which none beats another in both. ``settled``: the search has
+    converged.
     """
 
     problem: Problem
@@ -57,12 +57,12 @@ class Optimum:
 
     @property
     def units(self) -> tuple[str, ...]:
-        """Printed units of what goals, then limits, read."""
+        """Printed units of goals, then limits."""
         return self.start.units
 
     @property
     def nearest(self) -> Trial:
-        """The best trial, or the one that breaks limits least."""
+        """The best trial, or the one with the least violation."""
         return self.best or min(self.trials, key=lambda t: t.violation)
 
     @property
@@ -84,33 +84,37 @@ class Optimum:
 
     @property
     def binding(self) -> list[str]:
-        """What holds the best back: limits without room, ends of what may be chosen."""
-        near = self.nearest
-        limits = zip(self.problem.limits, near.margins, strict=False)
+        """Binding limits, and parameters at an end of their range."""
+        trial = self.nearest
+        limits = zip(self.problem.limits, trial.margins, strict=False)
         found = [limit.words for limit, margin in limits if margin < BINDING]
-        for p, n, last in zip(self.problem.parameters, near.number, self.problem.last, strict=True):
+        for p, n, last in zip(
+            self.problem.parameters, trial.number, self.problem.last, strict=True
+        ):
             if p.ends is not None and (n <= BINDING * last or n >= (1.0 - BINDING) * last):
                 found.append(f"{'lowest' if n < 0.5 * last else 'highest'} {p.path}")
         return found
 
     @property
     def absent(self) -> list[str]:
-        """Of which goals and limits the best, or nearest, lacks some of several numbers."""
-        near = self.nearest
+        """Sentences on goals and limits some of whose numbers the best, or nearest, trial lacks."""
+        trial = self.nearest
         asked = [*(g.words for g in self.problem.goals), *(x.words for x in self.problem.limits)]
-        values = (*near.goals, *near.readings)
+        values = (*trial.goals, *trial.readings)
         return [
             f"{words}: {count} of the numbers it reads {'is' if count == 1 else 'are'} absent."
-            for words, count, value in zip(asked, near.absent, values, strict=False)
+            for words, count, value in zip(asked, trial.absent, values, strict=False)
             if count and not math.isnan(value)
         ]
 
     @property
     def verdict(self) -> list[str]:
-        """In sentences: whether there is a machine that keeps all limits, and what binds."""
+        """Sentences: whether a machine keeps all limits, and which limits bind."""
         if self.best is not None:
-            held = self.binding
-            lines = [f"The best is held by {'; '.join(held)}." if held else "No limit holds it."]
+            binding = self.binding
+            lines = [
+                f"The best is held by {'; '.join(binding)}." if binding else "No limit holds it."
+            ]
             cost = cost_of(self.problem, 0)
             least = cost(self.best)
             if self.start.feasible and cost(self.start) < least - ALIKE * abs(least):
@@ -174,13 +178,13 @@ def problem_of(
     goals: Sequence[Goal],
     limits: Sequence[Limit] = (),
 ) -> Problem:
-    """A problem held against its case; see ``optimise``."""
+    """Build a problem and check it against its case; see ``optimise``."""
     if not isinstance(case, Case):
         raise InvalidInput(f"an optimum takes a case, as rotordyn.load gives it; got {shown(case)}")
     if not 1 <= len(goals) <= 2:
         raise InvalidInput(f"goals: one, or two to trade off; got {len(goals)}")
-    asked = [*(each.criterion for each in goals), *(each.criterion for each in limits)]
-    for each in asked:
+    criteria = [*(each.criterion for each in goals), *(each.criterion for each in limits)]
+    for each in criteria:
         if each.analysis not in case.analyses:
             raise InvalidInput(
                 f"{shown(each.of)}: begins with an analysis of the case; allowed: "
@@ -191,14 +195,16 @@ def problem_of(
                 f"{shown(each.of)}: name a number, '{each.of}: words', or a variable of its "
                 f"dataset, '{each.of}.variable'"
             )
-    needed = tuple(dict.fromkeys(each.analysis for each in asked))
+    needed = tuple(dict.fromkeys(each.analysis for each in criteria))
     left_out, case = tuple(case.variants), restricted(one_machine(case, varied), needed)
-    found = tuple(parameters(case, varied))
-    for one in found:
-        if one.ends is None and len(one.values) < 2:
-            raise InvalidInput(f"{one.path}: one value is no choice: give two or more, or a span")
-    require_each_once(found)
-    return Problem(case, found, tuple(goals), tuple(limits), left_out)
+    varied_parameters = tuple(parameters(case, varied))
+    for parameter in varied_parameters:
+        if parameter.ends is None and len(parameter.values) < 2:
+            raise InvalidInput(
+                f"{parameter.path}: one value is no choice: give two or more, or a span"
+            )
+    require_each_once(varied_parameters)
+    return Problem(case, varied_parameters, tuple(goals), tuple(limits), left_out)
 
 
 @typed(InvalidInput, besides=["case"])
@@ -214,18 +220,18 @@ def optimise(
     folder: str | Path | None = None,
     progress: Progress = lambda done, of: None,
 ) -> Optimum:
-    """The best of what may be varied in a case.
+    """Search the best values of the parameters of a case.
 
     Parameters
     ----------
-    varied : dotted paths, as ``rotordyn.vary`` takes them, to lists of values or ``Span``
+    varied : lists of values or ``Span`` by dotted path, as ``rotordyn.vary`` takes them
     goals : one, or two whose trade-off is sought
-    limits : that the best keeps
-    trials : how many machines are solved at most; fewer choices than that are all tried
+    limits : limits that the best machine keeps
+    trials : largest number of machines to solve; if there are fewer choices, all are tried
     seed : of the search
     workers : processes; as many as there are processors by default
-    folder : where trials are kept as they are made; the same problem goes on from there
-    progress : called with the number of trials made and granted
+    folder : where trials are kept as they are made; the same problem resumes from there
+    progress : called with the number of trials made and allowed
 
     Returns
     -------
@@ -249,7 +255,7 @@ def solved(
     folder: str | Path | None = None,
     progress: Progress = lambda done, of: None,
 ) -> Optimum:
-    """The best found of a problem; see ``optimise``."""
+    """Search the optimum of a problem; see ``optimise``."""
     if not is_whole(trials, 1, MOST_TRIALS):
         raise InvalidInput(
             f"trials: given {shown(trials)}; allowed: a whole number up to {MOST_TRIALS}"
@@ -262,9 +268,9 @@ def solved(
     with nullcontext() if place is None else record.alone(place, "trials"):
         made = Trials(problem, trials, workers or processors(), place, progress)
         if len(problem.goals) == 2:
-            found, settled = trade_off(problem, made, seed)
+            front, converged = trade_off(problem, made, seed)
         else:
-            found, settled = [], search(problem, made, cost_of(problem, 0), trials, seed)
-    good = [each for each in made.made.values() if each.feasible]
-    best = min(good, key=cost_of(problem, 0), default=None)
-    return Optimum(problem, start, tuple(made.made.values()), best, tuple(found), settled)
+            front, converged = [], search(problem, made, cost_of(problem, 0), trials, seed)
+    feasible = [each for each in made.made.values() if each.feasible]
+    best = min(feasible, key=cost_of(problem, 0), default=None)
+    return Optimum(problem, start, tuple(made.made.values()), best, tuple(front), converged)

@@ -1,4 +1,4 @@
-"""The trials made so far, on disk as they come; no place is tried twice."""
+"""Trials made so far, kept on disk as they come; no place is evaluated twice."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ JOURNAL = "trials.jsonl"
 
 
 class Spent(Exception):
-    """All trials that were granted have been made."""
+    """All allowed trials have been made."""
 
 
 class Trials:
     """Trials of a problem: at most ``most``, on ``workers`` processes.
 
-    ``made``: by place, in the order in which they were asked for. With a ``folder``, trials of an
-    earlier call with the same problem are read from there instead of made again.
+    ``made``: trials by place, in the order of the requests. With a ``folder``, trials of an earlier
+    call with the same problem are read from there.
     """
 
     def __init__(
@@ -41,30 +41,30 @@ class Trials:
         self._kept = {} if self._path is None else _read(self._path, _signature(problem))
 
     def at(self, places: Sequence[Place]) -> list[Trial]:
-        """What places come to.
+        """Evaluate places.
 
         Raises
         ------
-        Spent : not all of them can be tried any more; those that could be are made
+        Spent : not all of them are allowed any more; those that are have been made
         """
         new = [place for place in dict.fromkeys(places) if place not in self.made]
         granted = new[: self.most - len(self.made)]
         missing = [place for place in granted if place not in self._kept]
-        known = len(self.made) + len(granted) - len(missing)
-        found = solved_here(self._packed, missing, self.workers, solve_trial)
-        for k, each in enumerate(found, start=1):
+        already_known = len(self.made) + len(granted) - len(missing)
+        outcomes = solved_here(self._packed, missing, self.workers, solve_trial)
+        for k, each in enumerate(outcomes, start=1):
             self._keep(each)
-            self.progress(known + k, self.most)
+            self.progress(already_known + k, self.most)
         self.made |= {place: self._kept[place] for place in granted}
         self.progress(len(self.made), self.most)
         if len(granted) < len(new):
             raise Spent
         return [self.made[place] for place in places]
 
-    def _keep(self, found: Trial) -> None:
-        self._kept[found.number] = found
+    def _keep(self, trial: Trial) -> None:
+        self._kept[trial.number] = trial
         if self._path is not None:
-            record.add(self._path, asdict(found))
+            record.add(self._path, asdict(trial))
 
 
 def _signature(problem: Problem) -> str:
@@ -73,7 +73,7 @@ def _signature(problem: Problem) -> str:
 
 
 def _read(path: Path, signature: str) -> dict[Place, Trial]:
-    """Trials kept of this problem."""
+    """Read the trials kept of this problem, by place."""
     lines = record.begun(path, "optimum", signature, "trials")
     try:
         trials = [Trial(**{key: _tuple(value) for key, value in line.items()}) for line in lines]
