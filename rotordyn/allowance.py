@@ -1,7 +1,7 @@
-"""What a run may take: stages that would take longer or more memory are refused before they begin.
+"""Limits of time and memory of a run: stages that would exceed them are refused before they begin.
 
-Only where somebody asks for it, as the command line does. There a refusal ends the run as Ctrl-C
-does: what is finished is kept.
+The limits apply only if requested, as by the command line. There a refusal ends the run as Ctrl-C
+does: finished results are kept.
 """
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ MOST_BYTES = 4e9
 # Seconds on one processor of 2 GHz: eigenproblems of LAPACK, of general and of symmetric matrices,
 # for each cubed row; of ARPACK for each row and squared mode.
 GENERAL, SYMMETRIC, SPARSE = 3.5e-9, 5e-10, 2e-8
-ARRAYS = 5  # of complex numbers: matrix, vectors, left vectors, what LAPACK takes
-MATRICES = 6  # stiffness, damping, and what their sums take
+ARRAYS = 5  # complex arrays: matrix, right and left vectors, LAPACK workspace
+MATRICES = 6  # matrices: stiffness, damping, and temporaries of their sums
 VALUE, VALUE_BYTES = 7e-7, 120.0  # s, and bytes at most, of one response at one frequency
 CORRECTION = 1.5e-9  # s of a mode with loss factors, for each cubed row
 TABLE, TABLE_BYTES = 8.5e-3, 8e4  # of the law of one bearing at one speed
@@ -37,7 +37,7 @@ DRAWN = "draw some of them (rotordyn.open, plot), or say yes to all (--yes)"
 
 @dataclass(frozen=True, slots=True)
 class Allowance:
-    """``until`` when a run may go on, by the clock of ``time.perf_counter`` [s], and its memory."""
+    """Limits of a run: seconds, end ``until`` by ``time.perf_counter`` [s], memory [bytes]."""
 
     seconds: float
     until: float
@@ -49,7 +49,7 @@ _allowance: ContextVar[Allowance | None] = ContextVar("allowance", default=None)
 
 @contextmanager
 def within(seconds: float = math.inf, memory: float = MOST_BYTES) -> Iterator[None]:
-    """Runs inside may take so long by estimate, and so many bytes."""
+    """Limit the estimated time and memory [bytes] of runs inside."""
     token = _allowance.set(Allowance(seconds, time.perf_counter() + seconds, memory))
     try:
         yield
@@ -59,13 +59,13 @@ def within(seconds: float = math.inf, memory: float = MOST_BYTES) -> Iterator[No
 
 Stop = KeyboardInterrupt | TooCostly
 STOPS = (KeyboardInterrupt, TooCostly)  # what ends a run
-ASKED = Event()  # a signal has asked to stop
+ASKED = Event()  # set when a signal has requested a stop
 
 
 @contextmanager
 def heeding_stops() -> Iterator[None]:
-    """A signal that asks to stop ends what is inside as Ctrl-C does, also where a library puts an
-    error of its own in its place, as NumPy does where it compares types."""
+    """Turn errors inside into KeyboardInterrupt if a signal has requested a stop: libraries may
+    replace the interrupt by their own error, as NumPy does when it compares types."""
     try:
         yield
     except Exception as error:
@@ -75,13 +75,13 @@ def heeding_stops() -> Iterator[None]:
 
 
 def keeps_finished() -> bool:
-    """Whether runs that are ended here keep what is finished."""
+    """Whether an ended run keeps its finished results."""
     return _allowance.get() is not None
 
 
 def require_modes(name: str, speeds: int, size: int) -> None:
-    """Raise TooCostly where eigenproblems of ``size`` coordinates at so many speeds take more
-    than is allowed."""
+    """Raise TooCostly if eigenproblems of ``size`` coordinates at ``speeds`` speeds exceed the
+    limits."""
     rows = 2 * size
     seconds = GENERAL * float(rows) ** 3 * speeds
     _require(
@@ -90,8 +90,8 @@ def require_modes(name: str, speeds: int, size: int) -> None:
 
 
 def require_free_modes(size: int, count: int | None) -> None:
-    """The same of modes of a free body of ``size`` DOF, so many of them by Lanczos' method, or all
-    (None)."""
+    """Raise TooCostly if free modes of a body of ``size`` DOF exceed the limits; ``count`` of them
+    by Lanczos' method, or all (None)."""
     seconds = SYMMETRIC * float(size) ** 3 if count is None else SPARSE * float(count) ** 2 * size
     many, wide = ("all", size) if count is None else (f"{count}", 3 * count)
     what = f"reduction of a body: {many} modes of {size} DOF"
@@ -99,28 +99,31 @@ def require_free_modes(size: int, count: int | None) -> None:
 
 
 def require_matrices(name: str, speeds: int, size: int, own: int) -> None:
-    """The same of matrices of ``size`` rows at so many speeds, ``own`` of them of the case."""
+    """Raise TooCostly if matrices of ``size`` rows at ``speeds`` speeds exceed the limits; ``own``
+    of the speeds are those of the case."""
     more = f" ({own} of the case, others added between them)" if speeds > own else ""
     what = f"{name}: matrices of {size} rows at {speeds} speeds{more}"
     _require(what, 0.0, 8.0 * MATRICES * size**2 * speeds)
 
 
 def require_corrections(modes: int, at_once: int, size: int) -> None:
-    """The same of so many modes with loss factors of ``size`` DOF, some ``at_once``."""
+    """Raise TooCostly if corrections of modes with loss factors exceed the limits; ``size`` DOF,
+    ``at_once`` modes together."""
     what = f"loss factors: corrections of {modes} modes of {size} DOF"
     seconds = CORRECTION * modes * float(size) ** 3
     _require(what, seconds, 64.0 * at_once * float(size) ** 2)
 
 
 def require_responses(name: str, speeds: int, pairs: int, frequencies: int) -> None:
-    """The same of responses of so many pairs of points."""
+    """Raise TooCostly if responses of ``pairs`` pairs of points exceed the limits."""
     count = float(speeds) * pairs * frequencies
     what = f"{name}: {speeds} speeds by {pairs} pairs by {frequencies} frequencies"
     _require(what, VALUE * count, VALUE_BYTES * count)
 
 
 def require_history(what: str, tables: int, steps: int) -> None:
-    """The same of a path of so many steps, through laws of bearings kept as ``tables``."""
+    """Raise TooCostly if a load history of ``steps`` steps, with ``tables`` of bearing laws,
+    exceeds the limits."""
     seconds = TABLE * tables + STEP * steps
     _require(what, seconds, TABLE_BYTES * tables + STEP_BYTES * steps)
 
@@ -128,8 +131,8 @@ def require_history(what: str, tables: int, steps: int) -> None:
 def require_marching(
     name: str, states: int, bearings: int, steps: int, rows: int, followed: int
 ) -> None:
-    """The same of so many steps of time at so many ``states`` (speeds), each with some bearings,
-    matrices of ``rows`` rows and numbers that are ``followed``."""
+    """Raise TooCostly if a time integration exceeds the limits: ``steps`` at ``states`` (speeds),
+    each with ``bearings``, matrices of ``rows`` rows and ``followed`` stored numbers."""
     what = f"{name}: {steps} steps of time at {states} speeds with {bearings} bearings"
     exponentials = EXPONENTIAL * float(rows) ** 3 * states
     each = PASS + states * (ENTRY * float(rows) ** 2 + BEARING_STEP * bearings)
@@ -138,7 +141,7 @@ def require_marching(
 
 
 def require_figures(figures: int, pictures: int) -> None:
-    """The same of so many figures, and ``pictures`` in space."""
+    """Raise TooCostly if drawing ``figures``, and ``pictures`` in 3D, exceeds the limits."""
     what = f"{figures} figures" + f" with {pictures} pictures in space" * (pictures > 0)
     _require(what, FIGURE * figures + PICTURE * pictures, 0.0, DRAWN)
 
@@ -147,18 +150,18 @@ def _require(what: str, seconds: float, memory: float, remedy: str = REMEDY) -> 
     allowance = _allowance.get()
     if allowance is None:
         return
-    left = allowance.until - time.perf_counter()
-    if seconds > left or memory > allowance.memory:
+    rest = allowance.until - time.perf_counter()
+    if seconds > rest or memory > allowance.memory:
         also = f" and {memory / 1e9:.2g} GB" if memory else ""
         raise TooCostly(
             f"{what} take about {seconds:.3g} s{also}; allowed: "
-            f"{allowance.seconds:g} s for the whole run, of which {max(left, 0.0):.0f} s are left, "
+            f"{allowance.seconds:g} s for the whole run, of which {max(rest, 0.0):.0f} s are left, "
             f"and {allowance.memory / 1e9:g} GB; {remedy}"
         )
 
 
 def require_time(name: str, how: str = "not begun") -> None:
-    """Raise TooCostly where the time of the run is over before a stage begins, or within it."""
+    """Raise TooCostly if the time of the run is over before a stage begins, or within it."""
     allowance = _allowance.get()
     if allowance is not None and time.perf_counter() > allowance.until:
         raise TooCostly(

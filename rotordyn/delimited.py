@@ -1,4 +1,4 @@
-"""Tables in text files, between commas, semicolons or tabs."""
+"""Tables in text files, delimited by commas, semicolons or tabs."""
 
 from __future__ import annotations
 
@@ -11,19 +11,19 @@ from rotordyn.errors import InvalidInput
 
 
 class Row(NamedTuple):
-    """What stands in a line of the file."""
+    """Cells of a line of the file."""
 
     line: int
     cells: Sequence[str]
 
 
 def rows(text: str) -> list[Row]:
-    """The header and what follows it. Empty lines are passed over, remarks, which begin with #, and
-    a ``sep=;`` of spreadsheets.
+    """Read the header and the rows; empty lines, comments (``#``) and a ``sep=;`` of spreadsheets
+    are skipped.
 
     Raises
     ------
-    InvalidInput : no table
+    InvalidInput : not a table
     """
     header = next((line for line in text.splitlines() if _holds([line])), "")
     separator = max(",;\t", key=header.count)

@@ -1,9 +1,8 @@
-"""What frozen descriptions have in common: fields and the rules between them, checked when one is
-built.
+"""Base of frozen descriptions: fields and the rules between them are checked at construction.
 
-Rules between fields are written once, in ``_faults``: a path of keys, as files write them, and a
-sentence, in which ``{given}`` stands for what is at the path as it was written. A description built
-in Python raises the first of them; of a file all are reported, each with its line.
+Rules between fields are written once, in ``_faults``: a path of keys, as in files, and a sentence
+in which ``{given}`` is replaced by the value at the path as written. A description built in Python
+raises the first fault; of a file all faults are reported, each with its line.
 """
 
 from __future__ import annotations
@@ -32,10 +31,10 @@ _checked: ContextVar[bool] = ContextVar("checked", default=True)
 
 @contextmanager
 def unchecked() -> Iterator[None]:
-    """Descriptions built within are not checked: their fields are, and their rules will be.
+    """Build descriptions inside without checks; reading a file does these itself.
 
-    So a file of which some values are faulty can be held against all other rules: what is not known
-    is NaN, an empty word or None, on which no comparison takes hold.
+    This way a file with faulty values can be checked against all other rules: faulty values are
+    NaN, an empty text or None, with which no comparison is true.
     """
     token = _checked.set(False)
     try:
@@ -73,11 +72,11 @@ class Description:
         require(self, self._last_faults())
 
     def _faults(self) -> Faults:
-        """What contradicts itself although every field is fine: path of keys and a sentence."""
+        """Yield contradictions between valid fields: path of keys and a sentence."""
         return ()
 
     def _last_faults(self) -> Faults:
-        """The same, where it takes a computation and all else must be right."""
+        """Yield contradictions whose test is a computation, which needs valid fields."""
         return ()
 
     def _called(self) -> str:
@@ -86,7 +85,7 @@ class Description:
 
 
 def require(description: Description, faults: Faults) -> None:
-    """Raises the first of ``faults`` of a description as InvalidInput; nothing while unchecked."""
+    """Raise the first of ``faults`` of a description as InvalidInput, unless ``unchecked``."""
     for path, sentence in faults if _checked.get() else ():
         where = _walked(description, path)[0]
         words = filled(sentence, path, partial(_written, description))
@@ -104,8 +103,8 @@ def _mappings(kind: Any) -> tuple[str, ...]:
 
 
 def filled(sentence: str, path: Path, written: Callable[[Path], str]) -> str:
-    """``{given}``: the value at the path as it was written; ``{before}``: the item before it;
-    ``{given:from}``: what stands beside it under that key."""
+    """Fill in a sentence: ``{given}``: the value at the path as written; ``{before}``: the previous
+    item; ``{given:from}``: the value under that key of the same mapping."""
 
     def value(match: re.Match[str]) -> str:
         last = path[-1] if path else ""
@@ -122,7 +121,7 @@ def _written(holder: object, path: Path) -> str:
 
 
 def _walked(holder: Any, path: Path) -> tuple[str, Any, Quantity | None]:
-    """The path with items called by their names, the value there, and its quantity."""
+    """Path with the names of items, value at the path, and its quantity."""
     words: list[str] = []
     value, annotation, within = holder, None, ""
     for step in path:
@@ -145,15 +144,15 @@ def _walked(holder: Any, path: Path) -> tuple[str, Any, Quantity | None]:
 
 
 def quantity_of(annotation: Any) -> Quantity | None:
-    """The quantity that the values of a field are, also where they stand in a row or mapping."""
+    """Quantity of the values of a field, also of those in a tuple or mapping."""
     within = map(quantity_of, get_args(bare(annotation)))
     return found_in(annotation, Quantity) or next(filter(None, within), None)
 
 
 def repeated(key: str, names: Iterable[str], *inner: str, said: str = "repeated: given") -> Faults:
-    """Path and sentence for each name of a list that came before; empty ones aside.
+    """Yield path and sentence for each repeated name of a list; empty names do not count.
 
-    ``inner``: where in each item they stand.
+    ``inner``: keys of the name within an item.
     """
     seen: set[str] = set()
     for index, name in enumerate(names):
@@ -163,24 +162,24 @@ def repeated(key: str, names: Iterable[str], *inner: str, said: str = "repeated:
 
 
 def named_twice(key: str, items: Iterable[Any]) -> Faults:
-    """Path and sentence for each item of a list that bears the name of an earlier one."""
+    """Path and sentence for each item of a list with the name of an earlier one."""
     return repeated(key, (item.name for item in items), "name", said="name given twice:")
 
 
 def ascending(key: str, values: Sequence[float]) -> Faults:
-    """Path and sentence for each value of a list that is not above the one before it."""
-    for index, (before, here) in enumerate(pairwise(values), start=1):
-        if here <= before:
-            how = "repeated" if here == before else "not in ascending order"
+    """Yield path and sentence for each value of a list that does not exceed the previous one."""
+    for index, (before, value) in enumerate(pairwise(values), start=1):
+        if value <= before:
+            how = "repeated" if value == before else "not in ascending order"
             yield (key, index), f"{how}: given {{given}} after {{before}}"
 
 
 def within(path: Path, faults: Faults) -> Faults:
-    """The same faults of what stands at ``path``."""
+    """Prefix the paths of faults with ``path``."""
     for way, sentence in faults:
         yield (*path, *way), sentence
 
 
 def known(value: float | None) -> bool:
-    """A number whose fault is not reported already."""
+    """Whether a number is given and not faulty (NaN)."""
     return value is not None and not math.isnan(value)

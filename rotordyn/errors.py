@@ -1,4 +1,4 @@
-"""What can go wrong, and which exit code it becomes.
+"""Errors of rotordyn and their exit codes.
 
 RotordynError
 ├── InvalidInput      exit 2   every fault found in the input, all at once
@@ -6,8 +6,8 @@ RotordynError
 ├── TooCostly         exit 2   more time or memory than a run may take
 └── NoSolution        exit 3   no speed of the case has a physical solution
 
-Errors of the ``bearings`` package pass through; ``exit_code`` knows them too. Anything else is a
-bug of ours and exits with 1.
+Errors of the ``bearings`` package pass through; ``exit_code`` handles them, too. Any other error is
+a bug of rotordyn and exits with 1.
 """
 
 from __future__ import annotations
@@ -17,14 +17,14 @@ from dataclasses import dataclass
 
 from bearings.errors import BearingError, InvalidBearing
 
-PRINTED = 30  # faults of an input
+PRINTED = 30  # faults listed in a message
 
 
 @dataclass(frozen=True, slots=True)
 class Fault:
-    """One thing wrong with an input file: ``file:line:column: path: message``.
+    """A fault of an input file: ``file:line:column: path: message``.
 
-    Line and column count from 1; 0 where the whole file is meant, printed as its beginning.
+    Line and column count from 1; 0 for the file as a whole, printed as 1.
     """
 
     file: str
@@ -39,16 +39,16 @@ class Fault:
 
 
 def printable(text: str) -> str:
-    """``text`` on one line, control characters as spaces."""
+    """Replace control characters and line breaks by spaces."""
     return "".join(letter if letter.isprintable() else " " for letter in text)
 
 
 class RotordynError(Exception):
-    """Root of every error raised on purpose by ``rotordyn``."""
+    """Base of all errors that ``rotordyn`` raises on purpose."""
 
 
 class InvalidInput(RotordynError):
-    """The input cannot be used; ``faults`` lists every reason, of which some are printed."""
+    """Invalid input; ``faults`` lists all faults, of which the message shows the first ones."""
 
     def __init__(self, faults: Sequence[Fault] | str) -> None:
         self.faults: tuple[Fault, ...] = () if isinstance(faults, str) else tuple(faults)
@@ -56,7 +56,7 @@ class InvalidInput(RotordynError):
 
 
 class TooManyFaults(InvalidInput):
-    """The input has so many faults that it was not read to its end."""
+    """Invalid input with so many faults that reading stopped."""
 
     def __init__(self, faults: Sequence[Fault]) -> None:
         super().__init__(faults)
@@ -76,22 +76,22 @@ class OutputRefused(InvalidInput):
 
 
 class TooCostly(RotordynError):
-    """What is asked takes more time or memory than a run may."""
+    """A request exceeds the time or memory allowed for a run."""
 
 
 class LeftOut(Exception):
-    """Why a file is not written: a note says so, and the run goes on."""
+    """A file is not written, for the reason given; a note says so, and the run continues."""
 
 
 class NoSolution(RotordynError):
-    """No speed asked for has a physical solution."""
+    """No speed of the case has a physical solution."""
 
 
 _PACKAGES = {"PIL": "pillow", "vtkmodules": "vtk", "yaml": "PyYAML"}  # by the name of a module
 
 
 def not_installed(module: str | None) -> str | None:
-    """The sentence for a ``module`` that cannot be imported; None if it is none of others."""
+    """Sentence on a ``module`` that is not installed; None if it belongs to rotordyn."""
     top = (module or "").partition(".")[0]
     if top in ("", "rotordyn", "bearings"):
         return None

@@ -1,10 +1,9 @@
-"""What a field of a description takes, read off its annotation: one grammar for Python and files.
+"""Fields of descriptions and the values they take, derived from annotations.
 
-An annotation says the type and, by ``Annotated``, the range, words, number of items or form of name
-that go with it (``rotordyn.quantity``), what files call it (``Key``), and in a plain text what it
-means. Sequences become tuples and numbers of numpy plain ones; text with a unit is read where the
-annotation tells the unit. A mark may say what else is written for a value (``meant``), a
-description how it is read from text (``from_text``).
+An annotation has the type and, by ``Annotated``, the range, words, number of items or form of name
+(``rotordyn.quantity``), the key in files (``Key``), and a text with the meaning. Sequences become
+tuples and numpy numbers plain ones; text with a unit is read if the annotation has a quantity. A
+mark may convert other notations (``meant``), a description may be read from text (``from_text``).
 """
 
 from __future__ import annotations
@@ -28,9 +27,9 @@ REQUIRED: Any = type("Required", (), {"__repr__": lambda self: "REQUIRED"})()  #
 
 
 class Refused(Exception):
-    """A value that a field does not take.
+    """A field refuses a value.
 
-    ``why``, and what is allowed, in one sentence; ``place``: where in the value, as ``[2].length``.
+    ``why``: one sentence with what is allowed; ``place``: position in the value, as ``[2].length``.
     """
 
     def __init__(self, why: str, place: str = "") -> None:
@@ -40,11 +39,10 @@ class Refused(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Field:
-    """One field of a description, or one further key of its files.
+    """A field of a description, or a further key of its files.
 
-    ``name``: of the attribute, empty where there is none; ``keys``: what files and paths call it,
-    one word or two, none where it is no key; ``default``: in files, ``REQUIRED`` where they must
-    give it.
+    ``name``: of the attribute, empty for a further key; ``keys``: its one or two keys in files and
+    paths, empty if it has none; ``default``: in files, ``REQUIRED`` if there is none.
     """
 
     name: str
@@ -57,7 +55,7 @@ class Field:
 
 @cache
 def declared(kind: Any) -> tuple[Field, ...]:
-    """Every field of a dataclass, in order; of a bearing with what it measures."""
+    """All fields of a dataclass, in order; those of a bearing with their measures."""
     hints = {**get_type_hints(kind, include_extras=True), **measured_fields(kind)}
     return tuple(_declared(field, hints[field.name]) for field in fields(kind))
 
@@ -78,17 +76,17 @@ def _declared(field: Any, annotation: Any) -> Field:
 
 
 def metadata(annotation: Any) -> tuple[Any, ...]:
-    """What stands beside the type in ``Annotated``."""
+    """Metadata of an ``Annotated`` type."""
     return annotation.__metadata__ if get_origin(annotation) is Annotated else ()
 
 
 def bare(annotation: Any) -> Any:
-    """The type without what stands beside it."""
+    """The type without metadata."""
     return get_args(annotation)[0] if get_origin(annotation) is Annotated else annotation
 
 
 def found_in(annotation: Any, kind: type) -> Any:
-    """What of one kind stands beside one of the forms of a type; None if nothing does."""
+    """First metadata of a ``kind`` in any form of a type; None if there is none."""
     for member in members(annotation):
         for each in metadata(member):
             if isinstance(each, kind):
@@ -97,9 +95,9 @@ def found_in(annotation: Any, kind: type) -> Any:
 
 
 def members(annotation: Any) -> tuple[Any, ...]:
-    """The forms that a value may have, None aside; the annotation alone where it has one form.
+    """Members of a union, without None; the annotation itself if it is no union.
 
-    What stands beside a union stands beside each of its forms.
+    Metadata of the union is repeated for each member.
     """
     inner, beside = bare(annotation), metadata(annotation)
     if get_origin(inner) not in (Union, types.UnionType):
@@ -109,25 +107,25 @@ def members(annotation: Any) -> tuple[Any, ...]:
 
 
 def parts_of(annotation: Any, origin: Any) -> tuple[Any, ...]:
-    """Arguments of that form of an annotation which is a ``tuple`` or a ``Mapping`` (``origin``);
-    none where no form is."""
+    """Type arguments of that member of an annotation whose origin is ``tuple`` or ``Mapping``;
+    empty if there is none."""
     forms = map(bare, members(annotation))
     return next((get_args(form) for form in forms if get_origin(form) is origin), ())
 
 
 def optional(annotation: Any) -> bool:
-    """None is one of the values that are taken."""
+    """Whether None is allowed."""
     return type(None) in get_args(bare(annotation))
 
 
 def accept(annotation: Any, value: object) -> Any:
-    """``value`` as a field of this annotation keeps it; raises Refused."""
+    """Check and convert ``value`` for a field with this annotation; raises Refused."""
     return check_of(annotation)(value)
 
 
 @cache
 def check_of(annotation: Any) -> Check:
-    """What a field of this annotation does with a value: keeps it or raises Refused."""
+    """Function that converts values for a field with this annotation, or raises Refused."""
     inner, limits = bare(annotation), [m for m in metadata(annotation) if hasattr(m, "refusal")]
     measured = inner is float and any(isinstance(limit, Quantity) for limit in limits)
     check = _number if measured else _unlimited(inner)
@@ -187,7 +185,7 @@ def _one_of(forms: tuple[Any, ...]) -> Check:
 
 
 def _fits(value: object, form: Any) -> bool:
-    """A refusal of this form is about the value itself, not about its type."""
+    """Whether a value has the type of a form, so that its refusal concerns the value."""
     inner = bare(form)
     if inner is float:
         measured = isinstance(value, str) and any(c.isdigit() for c in value)
@@ -248,7 +246,7 @@ def _number(value: Any) -> float:
 
 
 def _alone(value: Any) -> Any:
-    """The one value of an array without axes, of numpy or xarray."""
+    """Plain value of a numpy or xarray scalar; other values unchanged."""
     return value.item() if getattr(value, "ndim", None) == 0 else value
 
 
@@ -269,8 +267,7 @@ def _whole(value: Any) -> int:
 
 
 def unwritable(text: str) -> str:
-    """Why a text is refused: a character in it that results have no form for; empty where there is
-    none."""
+    """Reason why a text is refused: a character that files cannot store; empty if there is none."""
     letter = next((each for each in text if each == "\0" or "\ud800" <= each <= "\udfff"), "")
     if not letter:
         return ""
@@ -319,14 +316,14 @@ def _kind_wanted(value: object, wanted: str) -> str:
 
 
 def shown(value: object) -> str:
-    """A value as quoted in a message, cut to a readable length."""
+    """Text of a value for messages, limited in length."""
     if is_dataclass(value) and not isinstance(value, type):
         return f"a {type(value).__name__}"
     return errors.shown(value, 40)
 
 
 def descriptions(annotation: Any) -> Iterator[type]:
-    """The dataclasses that a value may be, or hold in its items."""
+    """Yield the dataclasses of a value or of its items."""
     inner = bare(annotation)
     if isinstance(inner, type) and is_dataclass(inner):
         yield inner
@@ -335,6 +332,6 @@ def descriptions(annotation: Any) -> Iterator[type]:
 
 
 def kinds_of(annotation: Any) -> list[type]:
-    """The descriptions that a value itself may be."""
+    """Descriptions that the value itself may be."""
     kinds = map(bare, members(annotation))
     return [kind for kind in kinds if isinstance(kind, type) and is_dataclass(kind)]

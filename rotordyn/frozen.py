@@ -1,4 +1,4 @@
-"""A mapping that stays as it was made."""
+"""An immutable mapping."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Any, NoReturn
 
 
 class FrozenMapping(dict[Any, Any]):
-    """A dict that may only be read, and is hashed by what it holds; ``dict(it)`` may be changed."""
+    """An immutable, hashable dict; ``dict(it)`` returns a copy that may be changed."""
 
     def _refuse(self, *_: object, **__: object) -> NoReturn:
         raise TypeError("a description is not changed: vary or dataclasses.replace make another")
@@ -18,10 +18,10 @@ class FrozenMapping(dict[Any, Any]):
         return hash(frozenset(self.items()))
 
     def __reduce__(self) -> tuple[type, tuple[dict[Any, Any]]]:
-        """Copied and pickled by what it holds, since neither may fill it item by item."""
+        """Copy and pickle by content, since filling item by item is not allowed."""
         return type(self), (dict(self),)
 
 
 def frozen(value: Any) -> Any:
-    """A dict as one that may only be read; anything else as it is."""
+    """Convert a dict to an immutable one; return other values unchanged."""
     return FrozenMapping(value) if type(value) is dict else value

@@ -9,7 +9,7 @@ _CELL = 'style="text-align: left"'
 
 
 def table(caption: str, rows: Iterable[Sequence[str]], head: Sequence[str] = ()) -> str:
-    """A table under a caption, its first column as row heads; cells are texts, not HTML."""
+    """Table with a caption; the first column has row headings; cells are escaped."""
     lines = [f"<table><caption {_CELL}><b>{escape(caption)}</b></caption>"]
     if head:
         lines.append(_row(head, len(head)))
@@ -24,5 +24,5 @@ def _row(cells: Sequence[str], heads: int) -> str:
 
 
 def preformatted(title: str, text: str) -> str:
-    """Text of a terminal, folded behind a title."""
+    """Preformatted text, folded under a title."""
     return f"<details><summary>{escape(title)}</summary><pre>{escape(text)}</pre></details>"

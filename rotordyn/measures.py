@@ -1,4 +1,4 @@
-"""What a field of a bearing takes (``bearings.bearing.Measure``) as limits of values with units."""
+"""Limits of the fields of bearings (``bearings.bearing.Measure``), with units."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ def limits(measure: Measure) -> Quantity | Whole:
 
 
 def measured_fields(kind: Any) -> dict[str, Any]:
-    """Annotations, with their limits, of those fields of a dataclass that declare a measure; where
-    some do, others are no keys: a bearing gets its rings from its seat."""
+    """Annotations with limits of the fields of a dataclass that declare a measure. If some do, the
+    other fields are hidden: a bearing gets its rings from its seat."""
     declared = {f.name: (f.metadata.get("measure"), f.default is None) for f in fields(kind)}
     some = any(measure is not None for measure, _ in declared.values())
     hidden = {
@@ -37,7 +37,7 @@ def measured_fields(kind: Any) -> dict[str, Any]:
 
 
 def meaning_of(field: Any) -> str:
-    """The phrase that a field of a bearing declares; empty where it declares none."""
+    """Meaning that a field of a bearing declares; empty if none."""
     measure = field.metadata.get("measure")
     return "" if measure is None else measure.meaning
 

@@ -1,4 +1,4 @@
-"""Symbols in ASCII, for terminals and file formats that know nothing else."""
+"""Replace symbols by ASCII, for terminals and file formats that have nothing else."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import codecs
 import re
 import unicodedata
 
-HANDLER = "rotordyn.plain"  # what streams are told to do with letters they do not have
+HANDLER = "rotordyn.plain"  # name of the error handler for characters that a stream lacks
 _SYMBOLS = {
     "µ": "u",
     "μ": "u",
@@ -41,9 +41,9 @@ _RAISED = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁿ]+")
 
 
 def plain(text: str) -> str:
-    """``text`` in ASCII: symbols as words or signs, other letters as Python escapes them.
+    """Convert ``text`` to ASCII: symbols become words or signs, other letters Python escapes.
 
-    An escape, not the letter without its accent: a path must not read like that of another file.
+    Letters do not merely lose their accent: a path must not look like that of another file.
 
     >>> plain("2 µm → 3·10⁻⁶ m, Δα, Noël")
     '2 um -> 3*10^-6 m, Deltaalpha, No\\\\xebl'
@@ -53,7 +53,7 @@ def plain(text: str) -> str:
 
 
 def register() -> None:
-    """Make ``HANDLER`` known as a way for streams to encode what they cannot."""
+    """Register ``HANDLER`` as an error handler of encodings."""
     codecs.register_error(HANDLER, _encode)
 
 

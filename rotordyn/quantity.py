@@ -1,6 +1,6 @@
-"""Which values a description takes: ranges of quantities, whole numbers, words, names.
+"""Limits of the values of descriptions: ranges of quantities, whole numbers, words, names.
 
-One list for files and for descriptions built in Python. Bounds are written with their unit.
+They hold for files and for descriptions built in Python. Bounds are written with their unit.
 """
 
 from __future__ import annotations
@@ -21,14 +21,14 @@ NAME = re.compile(r"[^\W\d][\w \-]{0,199}")
 
 
 class Limit:
-    """What a single value must be, said alike of Python and of files."""
+    """Limit of a single value, in Python and in files."""
 
     def refusal(self, value: Any, given: str = "") -> str:
-        """Why ``value``, in a file written as ``given``, is not taken; empty where it is."""
+        """Reason why ``value``, in a file written as ``given``, is refused; empty if valid."""
         raise NotImplementedError
 
     def read(self, given: object) -> Any:
-        """The value of what a file says; raises InvalidInput."""
+        """Read the value from a file; raises InvalidInput."""
         if why := self.refusal(given, units.shown(given)):
             raise InvalidInput(why)
         return given
@@ -38,8 +38,8 @@ class Limit:
 class Quantity(Limit):
     """A range of values of one ``kind`` of unit (a key of ``units.KINDS``), open or closed.
 
-    ``infinite``: the word by which a file may say that the value is infinite; empty = it may not.
-    ``instead``: what may be given instead, said where a value is out of range.
+    ``infinite``: word for an infinite value in a file; empty if it must be finite. ``instead``: an
+    alternative that messages on values out of range name.
     """
 
     kind: str
@@ -64,28 +64,28 @@ class Quantity(Limit):
 
     @property
     def allowed(self) -> str:
-        """The range in words: ``"above 0 m up to 100 m"``."""
+        """Text of the range: ``"above 0 m up to 100 m"``."""
         bounds = {"above": self.above, "from": self.at_least}
         bounds |= {"below": self.below, "up to": self.at_most}
         return " ".join(f"{word} {bound}" for word, bound in bounds.items() if bound)
 
     @property
     def coherent_unit(self) -> str:
-        """The SI unit of its kind, as written; empty for a plain number."""
+        """SI unit of the quantity, as written; empty for a plain number."""
         coherent = (u for u in units.KINDS[self.kind] if units.parse_unit(u).scale == 1.0)
         return next(coherent, "")
 
     def holds(self, value: float) -> bool:
-        """``value`` [SI] lies in the range; NaN does not."""
+        """Whether ``value`` [SI] lies in the range; false for NaN."""
         if math.isinf(value):
             return value > 0.0 and bool(self.infinite)
         above = value > self.low if self.above else value >= self.low
         return above and (value < self.high if self.below else value <= self.high)
 
     def refusal(self, value: float, given: str = "") -> str:
-        """Why ``value`` [SI], written as ``given``, is not taken; empty where it is.
+        """Reason why ``value`` [SI], written as ``given``, is refused; empty if it is valid.
 
-        A bare number that would fit in another unit is asked about.
+        For a bare number that would be valid in another unit it asks whether that was meant.
         """
         if self.holds(value):
             return ""
@@ -99,7 +99,7 @@ class Quantity(Limit):
         )
 
     def _likely(self, value: float) -> str:
-        """The unit in which a number out of range lies within it, as a question."""
+        """Question whether another unit was meant, in which the number would lie in the range."""
         for unit in units.KINDS[self.kind]:
             scaled = value * units.parse_unit(unit).scale
             if scaled != value and math.isfinite(scaled) and self.holds(scaled):
@@ -107,23 +107,23 @@ class Quantity(Limit):
         return ""
 
     def written(self, value: float) -> str:
-        """``value`` [SI] as one would write it into a file, in the SI unit."""
+        """Text of ``value`` [SI] in the SI unit, as a file takes it."""
         if math.isinf(value):
             return self.infinite or f"{value} {self.coherent_unit}".rstrip()
         return f"{value:.6g} {self.coherent_unit}".rstrip()
 
     def as_bounds(self, value: float) -> str:
-        """``value`` [SI] in the unit in which the range is written, to be read by people."""
+        """Text of ``value`` [SI] in the unit of the bounds, for messages."""
         bound = self.at_least or self.above or self.at_most or self.below
         unit = units.unit_of(bound) if bound and math.isfinite(value) else ""
         return f"{units.in_unit(value, unit):.6g} {unit}" if unit else self.written(value)
 
     def read(self, given: object) -> float:
-        """The value [SI] of text such as ``"25 mm"``, or of a number where the kind has no unit.
+        """Read a value [SI] from text such as ``"25 mm"``, or from a number if it has no unit.
 
         Raises
         ------
-        InvalidInput : no such quantity, or out of range
+        InvalidInput : another quantity, or out of range
         """
         if self.infinite and given == self.infinite:
             return math.inf
@@ -167,9 +167,9 @@ class Whole(Limit):
 
 @dataclass(frozen=True)
 class Named(Limit):
-    """A name by which paths and messages can call a thing.
+    """A name, usable in paths and messages.
 
-    ``optional``: or none; ``dotted``: or a name of something and one within it.
+    ``optional``: may be empty; ``dotted``: may consist of two names joined by a dot.
     """
 
     optional: bool = False
@@ -189,13 +189,13 @@ class Named(Limit):
 
 @dataclass(frozen=True)
 class Items:
-    """How many items a list has."""
+    """Limit of the number of items of a list."""
 
     at_least: int = 1
     at_most: int = 100_000
 
     def refusal(self, value: tuple[object, ...], given: str = "") -> str:
-        """Why ``value`` is not taken; empty where it is."""
+        """Reason why ``value`` is refused; empty if it is valid."""
         if len(value) < self.at_least:
             few = "one item" if self.at_least == 1 else f"{self.at_least} items"
             return f"too few items: given {given or len(value)}; allowed: at least {few}"
@@ -206,7 +206,7 @@ class Items:
 
 @dataclass(frozen=True)
 class Words(Limit):
-    """Words for a few values: ``"+x"`` for 1; ``silent``: the value where nothing is said."""
+    """Words for a few values, such as ``"+x"`` for 1; ``silent``: the value without a word."""
 
     values: tuple[tuple[str, object], ...]
     silent: object = None
@@ -218,7 +218,7 @@ class Words(Limit):
         return _no_choice(value, [word for word, _ in self.values], given)
 
     def read(self, given: object) -> object:
-        """The value that a word stands for; raises InvalidInput."""
+        """Value of a word; raises InvalidInput."""
         words = dict(self.values)
         if isinstance(given, str) and given in words:
             return words[given]
@@ -226,18 +226,17 @@ class Words(Limit):
         raise InvalidInput(self.refusal(given if isinstance(given, str) else (), shown))
 
     def word(self, value: object) -> object:
-        """The word for a value; the value itself where it has none."""
+        """Word for a value; the value itself if it has none."""
         return next((word for word, meant in self.values if meant == value), value)
 
 
 @dataclass(frozen=True)
 class Key:
-    """How files and paths call a field, where that is not its name.
+    """Key of a field in files and paths, where it differs from the name of the field.
 
-    ``name``: dotted where it stands within a mapping of its own; empty: the name of the field.
-    ``hidden``: it is no key. ``default``: its value where a file leaves it out and Python may not.
-    ``required``: files must give it although Python need not. ``missing``: what to say where it is
-    not given.
+    ``name``: dotted if the key is inside a mapping; empty: the name of the field. ``hidden``: the
+    field has no key. ``default``: default in files, where Python has none. ``required``: files must
+    give it although Python need not. ``missing``: message if it is not given.
     """
 
     name: str = ""
@@ -261,7 +260,7 @@ def _no_choice(value: object, words: list[str], given: str) -> str:
 
 
 def suggestion(given: object, allowed: Iterable[str]) -> str:
-    """``" (did you mean …?)"``, or nothing where no allowed word is close."""
+    """Text ``" (did you mean …?)"``; empty if no allowed word is similar."""
     lower = {word.lower(): word for word in allowed}
     close = difflib.get_close_matches(str(given).lower(), list(lower), n=1, cutoff=0.6)
     return f" (did you mean {lower[close[0]]}?)" if close else ""

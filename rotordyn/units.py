@@ -1,4 +1,4 @@
-"""Quantities with units: the only door between what people write and SI numbers.
+"""Quantities with units: conversion between text and SI numbers, done here alone.
 
 ``"24000 rpm"`` becomes 2513.27 (rad/s) where a speed is wanted and is refused where a frequency is.
 A unit is a product of named units with powers; each is a power of ten, a factor and a dimension
@@ -70,7 +70,7 @@ _WHOLE = {"1/min": "rpm", "min^-1": "rpm", "r/min": "rpm", "rev/min": "rpm"}
 _SPELLING = str.maketrans({"µ": "u", "μ": "u", "·": "*", "⋅": "*", "×": "*", "°": "deg"})
 _POWERS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
-# What may be asked for, and the units an error message offers; the dimension follows from them.
+# Kinds of quantity, and the units that messages offer; the dimension follows from these.
 KINDS: dict[str, tuple[str, ...]] = {
     "number": ("",),
     "ratio": ("%", ""),
@@ -106,12 +106,12 @@ KINDS: dict[str, tuple[str, ...]] = {
     "tilt damping": ("N m s/rad",),
 }
 
-_ALSO = {  # spelt so as well
+_ALSO = {  # further spellings
     "pressure": ("N/m^2",),
     "kinematic viscosity": ("cSt",),
     "speed": ("rad s^-1",),
 }
-DIFFERENCE = {"temperature": "temperature difference"}  # kinds whose differences are of another
+DIFFERENCE = {"temperature": "temperature difference"}  # kinds whose differences have another
 _ZERO_IN_FAHRENHEIT = {"temperature": 32.0, "temperature difference": 0.0}
 _MEANT = {"C": ("degC", "K"), "c": ("degC", "K"), "Celsius": ("degC", "K")}
 
@@ -148,7 +148,7 @@ def parse(given: object, kind: str) -> float:
 
 
 def _not_plain(text: str) -> str:
-    """What keeps a number from being read, where it is one on paper."""
+    """Hint on a notation of numbers that cannot be read; empty if none is recognised."""
     if dashed := _DASHED.match(text):
         return f" (write the minus as '-', which '{dashed[1]}' is not, U+{ord(dashed[1]):04X})"
     if grade := _GRADE.fullmatch(text):
@@ -159,13 +159,13 @@ def _not_plain(text: str) -> str:
 
 
 def unit_of(given: object) -> str:
-    """The unit that text such as ``"6.2 N/um"`` is written in; empty where there is none."""
+    """Unit of text such as ``"6.2 N/um"``; empty if there is none."""
     match = _NUMBER.fullmatch(_ungrouped(written(given))) if isinstance(given, str) else None
     return "" if match is None else match[3].strip()
 
 
 def _ungrouped(text: str) -> str:
-    """A number without the spaces, or thin ones, between its groups of three digits."""
+    """Remove spaces between groups of three digits of a number."""
     match = _GROUPED.match(text)
     return text if match is None else re.sub(r"\s", "", match[1]) + text[match.end() :]
 
@@ -249,7 +249,7 @@ def _power(power: str) -> str:
 
 
 def _alike(name: str) -> str:
-    """Named units of the dimension of ``name``, with the prefixes they may bear."""
+    """Pattern of the named units with the dimension of ``name``, and their prefixes."""
     dimension = _named(name, name).dimension
     stems = [stem for stem, unit in _NAMED.items() if unit.dimension == dimension]
     words = [f"[GMkcmuµμn]?{stem}" if stem in _PREFIXED else stem for stem in stems]
@@ -263,7 +263,7 @@ def in_unit(value: float, unit: str) -> float:
 
 
 def format_quantity(value: float, unit: str, digits: int = 4) -> str:
-    """``value`` [SI] as people write it, to so many significant digits: ``"56.30 N/µm"``."""
+    """Format ``value`` [SI] with ``digits`` significant digits and its unit: ``"56.30 N/µm"``."""
     number = in_unit(value, unit)
     return f"{_significant(number, digits)} {pretty_unit(unit)}".rstrip()
 
@@ -304,7 +304,7 @@ def _allowed(kind: str) -> str:
 
 
 def _fahrenheit(text: str, kind: str, given: object) -> str:
-    """What degrees Fahrenheit, whose zero no unit here has, are in the unit of ``kind``."""
+    """Hint with the converted value if the unit is degrees Fahrenheit, which is not supported."""
     match = _NUMBER.fullmatch(_ungrouped(written(given)))
     if text.lower().removeprefix("°").removeprefix("deg").strip() not in ("f", "fahrenheit"):
         return ""
@@ -325,7 +325,7 @@ def _hint(text: str, kind: str) -> str:
 
 
 def written(given: object) -> str:
-    """A value as text, which Python refuses for integers of thousands of digits."""
+    """Text of a value; integers of thousands of digits, which Python refuses, get a description."""
     try:
         return given if isinstance(given, str) else " ".join(str(given).split())
     except ValueError:
@@ -333,7 +333,7 @@ def written(given: object) -> str:
 
 
 def shown(given: object) -> str:
-    """A value as quoted in a message, cut to a readable length."""
+    """Text of a value for messages, limited in length."""
     if given is None:
         return "nothing"
     if isinstance(given, dict):

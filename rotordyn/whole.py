@@ -1,4 +1,4 @@
-"""Files that replace others appear whole or not at all; a folder is one process's at a time."""
+"""Atomic replacement of files, and locks of folders."""
 
 from __future__ import annotations
 
@@ -11,20 +11,20 @@ from contextlib import contextmanager
 from pathlib import Path
 
 UNFINISHED = ".unfinished."
-ABANDONED = 86400.0  # s after which a folder of a run that was killed is
+ABANDONED = 86400.0  # s after which the folder of a killed run is removed
 
 
 @contextmanager
 def whole_files(folder: Path) -> Iterator[Path]:
-    """A folder whose files take their places in ``folder`` when the block ends without error.
+    """Temporary folder whose files are moved to ``folder`` when the block ends without error.
 
     Raises
     ------
     OSError : the folder cannot be written
     """
-    for left in folder.glob(f"{UNFINISHED}*"):
-        if time.time() - left.stat().st_mtime > ABANDONED:
-            shutil.rmtree(left, ignore_errors=True)
+    for unfinished in folder.glob(f"{UNFINISHED}*"):
+        if time.time() - unfinished.stat().st_mtime > ABANDONED:
+            shutil.rmtree(unfinished, ignore_errors=True)
     place = Path(tempfile.mkdtemp(prefix=UNFINISHED, dir=folder))
     try:
         yield place
@@ -35,11 +35,11 @@ def whole_files(folder: Path) -> Iterator[Path]:
 
 
 def locked(folder: Path) -> int | None:
-    """A lock that ends with this process and its forks, None where the system has none.
+    """Lock a folder until this process and its forks end; None if the system has no locks.
 
     Raises
     ------
-    OSError : another process holds it
+    OSError : another process holds the lock
     """
     try:
         import fcntl

@@ -1,7 +1,7 @@
-"""A case as plain values that JSON holds, and back: so that a results folder knows its case.
+"""Convert a case to JSON values and back, so that a results folder contains its case.
 
 Every description is a frozen dataclass whose fields are its constructor's arguments; it is stored
-as these, with the name of its class. Floats keep every digit.
+as these, with the name of its class. Floats keep all digits.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ _ROOMS = ("rotordyn.machine", "rotordyn.analyses", "bearings")
 
 
 def archived(value: Any) -> Any:
-    """``value``, a case or a part of one, as lists, objects, texts and numbers of JSON.
+    """Convert a case or a part of it to JSON values.
 
-    Files are named by folder and file alone. Raises TypeError for what no description holds.
+    Paths keep only folder and file name. Raises TypeError for values that descriptions never have.
     """
     if isinstance(value, bool | int | str) or value is None:
         return value
@@ -36,13 +36,13 @@ def archived(value: Any) -> Any:
     if isinstance(value, float) and math.isfinite(value):
         return value
     if is_dataclass(value):
-        held = {field.name: archived(getattr(value, field.name)) for field in fields(value)}
-        return {KIND: type(value).__name__, **held}
+        content = {field.name: archived(getattr(value, field.name)) for field in fields(value)}
+        return {KIND: type(value).__name__, **content}
     return _named(value)
 
 
 def _named(value: Any) -> dict[str, Any]:
-    """What JSON has no form for, under the name of its kind."""
+    """Convert a value that JSON lacks to an object with the name of its kind."""
     match value:
         case float():
             return {KIND: "float", "value": str(value)}
@@ -57,11 +57,11 @@ def _named(value: Any) -> dict[str, Any]:
 
 
 def restored(plain: Any) -> Any:
-    """What ``archived`` made ``plain`` from; every description is checked as it is built.
+    """Convert the result of ``archived`` back; every description is checked as it is built.
 
     Raises
     ------
-    InvalidInput : this version has no such description, or builds it from other fields
+    InvalidInput : this version has no such description, or it has other fields
     """
     if isinstance(plain, list):
         return tuple(restored(each) for each in plain)
@@ -71,15 +71,15 @@ def restored(plain: Any) -> Any:
     if name in _PLAIN:
         return _PLAIN[name](plain["value"])
     kind = _HERE[name] if name in _HERE else _kind(name)
-    held = {key: restored(each) for key, each in plain.items() if key != KIND}
+    arguments = {key: restored(each) for key, each in plain.items() if key != KIND}
     try:
-        return kind(**held)
+        return kind(**arguments)
     except TypeError as error:
         raise InvalidInput(f"{name} has other fields in this version: {error}") from None
 
 
 def _kind(name: object) -> Any:
-    """The class of a description, by its name; of analyses outside it stands beside their spec."""
+    """Class of a description by name; for external analyses it is in the module of their spec."""
     for room in map(importlib.import_module, _ROOMS):
         if name in room.__all__:
             return getattr(room, str(name))

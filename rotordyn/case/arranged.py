@@ -1,4 +1,4 @@
-"""What a set of bearings says of them in a file: thrusts, and the preload of a maker's class."""
+"""Values that follow from a bearing set in a file: thrusts, and the preload of a class."""
 
 from __future__ import annotations
 
@@ -15,26 +15,26 @@ SIGNS = {word: sign for sign, word in WORDS.items()}
 
 
 def arrange(tree: Node, faults: Faults) -> None:
-    """Gives the bearings of a set the thrusts that its name says where they have none, and the
-    preload the force of its class.
+    """Set missing thrusts of the bearings of a set by its designation, and the force of its preload
+    class.
 
-    Where the name does not fit its bearings, that is the fault, and not that thrusts are missing.
+    If the designation does not fit the bearings, that is the fault, not the missing thrusts.
     """
     if tree.child("arrangement") is None:
         return
     given = tree.value["arrangement"]
     name, names = given.child("set"), [each.value for each in given.listed("bearings")]
     seats = {seat.name: seat for seat in tree.listed("bearings") if seat.entries()}
-    held = [seats[each] for each in names if isinstance(each, str) and each in seats]
+    members = [seats[each] for each in names if isinstance(each, str) and each in seats]
     if name is not None:
-        _thrusts(name, held)
+        _thrusts(name, members)
     _sleeves(tree, given, faults)
-    if held:
-        _class(given, held, faults)
+    if members:
+        _class(given, members, faults)
 
 
 def _sleeves(tree: Node, given: Node, faults: Faults) -> None:
-    """A sleeve of the set's name would be replaced by the one that the set makes."""
+    """Report a sleeve with the name of the one that the set creates, which would replace it."""
     called = given.child("name")
     word = "set" if called is None else called.value
     for sleeve in tree.listed("sleeves"):
@@ -48,7 +48,7 @@ def _sleeves(tree: Node, given: Node, faults: Faults) -> None:
 
 
 def _thrusts(name: Node, seats: list[Node]) -> None:
-    """Gives seats without a thrust that of the set, drawn or mirrored as the others have theirs."""
+    """Set missing thrusts by the designation, in the orientation of those that are given."""
     given = [seat.child("thrust") for seat in seats]
     signs = fitting(name.value, [SIGNS.get(str(g.value), "?") if g else "" for g in given])
     for seat, before, sign in zip(seats, given, signs, strict=True):
@@ -57,7 +57,7 @@ def _thrusts(name: Node, seats: list[Node]) -> None:
 
 
 def _class(given: Node, seats: list[Node], faults: Faults) -> None:
-    """Replaces the class of a preload by the force that the bearings' model prints for it."""
+    """Replace a preload class by the force that the model of the bearings lists for it."""
     preload = given.entries("preload")
     if "class" not in preload:
         return
@@ -74,7 +74,7 @@ def _class(given: Node, seats: list[Node], faults: Faults) -> None:
 
 
 def _unclear(asked: Node, seats: list[Node], printed: list[dict[str, Node]]) -> str:
-    """Why no force follows from the class that is asked for."""
+    """Reason why the class defines no force; empty if it does."""
     for seat, known in zip(seats, printed, strict=True):
         if asked.value not in [*known]:
             allowed = ", ".join(known) or (
@@ -94,7 +94,7 @@ def _unclear(asked: Node, seats: list[Node], printed: list[dict[str, Node]]) -> 
 
 
 def printed_preloads(seat: Node) -> dict[str, Node]:
-    """Forces of the classes that the model of a bearing prints."""
+    """Preload forces that the model of a bearing lists, by class."""
     own = seat.child("model", "preloads") is not None
     forces = seat.listed("model", *(() if own else ("estimate",)), "preloads")
     return dict(zip(CLASSES, forces, strict=False))

@@ -1,4 +1,4 @@
-"""What a case says is uncertain, held against the case: hypotheses, tolerances, their faults."""
+"""Check the uncertainties of a case against it: hypotheses, tolerances, their faults."""
 
 from __future__ import annotations
 
@@ -23,15 +23,15 @@ from rotordyn.units import shown
 
 MOST_COMBINATIONS = 1024
 STEP = "± 0.5 %"  # of sensitivities: 1 % in all, as in the thesis
-FINEST = 1e-9  # of the way between both ends: how finely the last machine is looked for
-OFF_BOUND = 0.1  # of the way to a bound that is itself not allowed, as of grooves of 0.5 D
-NARROWEST = 1e-3  # of the way: what is left is no tolerance
+FINEST = 1e-9  # resolution of the search for the last valid value, over the tolerance
+OFF_BOUND = 0.1  # distance kept from a bound that is itself invalid, such as grooves of 0.5 D
+NARROWEST = 1e-3  # least width of a reduced tolerance, over the usual one
 STATIC, MOMENTLESS = "static", ("frozen", "centrifugal")
 
 
 @dataclass(frozen=True, slots=True)
 class Hypothesis:
-    """A discrete choice: the value of the case at ``path``, and all that it may be."""
+    """A discrete choice: the value of the case at ``path``, and all alternatives."""
 
     path: str
     nominal: Any
@@ -39,16 +39,16 @@ class Hypothesis:
 
     @property
     def name(self) -> str:
-        """Its path without what is clear: ``kinematics``, ``a.kinematics``."""
+        """Short path: ``kinematics``, ``a.kinematics``."""
         room, _, rest = self.path.partition(".")
         return rest if room == "conditions" else self.path.removeprefix("spindle.bearings.")
 
 
 @dataclass(frozen=True, slots=True)
 class Asked:
-    """What is uncertain of a case; of sensitivities the ``steps`` of differences, and ranges.
+    """Uncertainties of a case; ``steps`` and ``ranges`` of sensitivities.
 
-    ``narrowed``: sentences on what is usual and leaves what is allowed.
+    ``narrowed``: sentences on usual tolerances that were reduced to the allowed range.
     """
 
     hypotheses: tuple[Hypothesis, ...]
@@ -59,24 +59,24 @@ class Asked:
 
     @property
     def paths(self) -> tuple[str, ...]:
-        """Of sensitivities."""
+        """Paths of the sensitivities."""
         return tuple(each.path for each in self.steps)
 
     @property
     def combinations(self) -> Iterator[dict[str, Any]]:
-        """Values by path of every combination of hypotheses, that of the case among them."""
+        """Yield values by path of every combination of hypotheses, that of the case included."""
         for values in product(*(each.values for each in self.hypotheses)):
             yield dict(zip((each.path for each in self.hypotheses), values, strict=True))
 
 
 def certain(case: Case) -> Case:
-    """The case without what is uncertain, and without its variants."""
+    """Return the case without uncertainties and variants."""
     with unchecked():
         return replace(case, variants={}, uncertain=None)
 
 
 def asked_of(case: Case) -> Asked:
-    """What ``case`` says is uncertain; what is usually so where it says nothing.
+    """Uncertainties of ``case``; the usual ones if it states none.
 
     Raises
     ------
@@ -91,12 +91,12 @@ def asked_of(case: Case) -> Asked:
     if given.as_usual:
         known = {_full(name) for name in hypotheses}
         hypotheses |= {path: each for path, each in HYPOTHESES.items() if path not in known}
-        held = {place for path in given.tolerances for place in _places(case, path)}
+        stated = {place for path in given.tolerances for place in _places(case, path)}
         for entry in usual_of(case):
-            if not held & _places(case, entry.path):
-                found = _usual(case, entry.path, entry.text, held)
-                tolerances += [found] if isinstance(found, Tolerance) else []
-                narrowed += [_left(found, entry.path, entry.text)]
+            if not stated & _places(case, entry.path):
+                usual = _usual(case, entry.path, entry.text, stated)
+                tolerances += [usual] if isinstance(usual, Tolerance) else []
+                narrowed += [_left(usual, entry.path, entry.text)]
     choices = (_hypothesis(case, name, values) for name, values in hypotheses.items())
     return Asked(
         tuple(each for each in choices if len(each.values) > 1 and _matters(case, each.path)),
@@ -106,59 +106,59 @@ def asked_of(case: Case) -> Asked:
     )
 
 
-def _usual(case: Case, path: str, text: str, held: Set[str]) -> Tolerance | str:
-    """What is usual at a path, as far from the value of the case as is allowed; why there is no
-    such machine at all. ``held``: places that the case says a tolerance of itself."""
+def _usual(case: Case, path: str, text: str, stated: Set[str]) -> Tolerance | str:
+    """Usual tolerance at a path, reduced to values of valid machines; a sentence if there are
+    none. ``stated``: places for which the case states a tolerance."""
     try:
-        found = tolerance(case, path, text, beyond=True)
+        usual = tolerance(case, path, text, beyond=True)
     except InvalidInput as refusal:
         return str(refusal)
-    found = replace(found, beside=ground_plays(case, found.ends, held))
-    if all(_made(case, found, end) for end in (0.0, 1.0)):
-        return found
-    low, high = (_farthest(case, found, end) for end in (0.0, 1.0))
-    if found.levels or high - low < NARROWEST:
+    usual = replace(usual, beside=ground_plays(case, usual.ends, stated))
+    if all(_made(case, usual, end) for end in (0.0, 1.0)):
+        return usual
+    low, high = (_farthest(case, usual, end) for end in (0.0, 1.0))
+    if usual.levels or high - low < NARROWEST:
         return _refusal(case, path, text)
-    return found.within(low, high, f"{text}, as far as allowed")
+    return usual.within(low, high, f"{text}, as far as allowed")
 
 
-def _made(case: Case, found: Tolerance, share: float) -> bool:
-    """Whether there may be a machine at a share of the way."""
+def _made(case: Case, uncertain: Tolerance, share: float) -> bool:
+    """Whether the machine at a share of the tolerance is valid."""
     try:
-        vary(case, found.at(share))
+        vary(case, uncertain.at(share))
     except InvalidInput:
         return False
     return True
 
 
-def _farthest(case: Case, found: Tolerance, end: float) -> float:
-    """Share of the way towards an end up to which there are machines."""
-    if _made(case, found, end):
+def _farthest(case: Case, uncertain: Tolerance, end: float) -> float:
+    """Share of the tolerance towards an end up to which machines are valid, by bisection."""
+    if _made(case, uncertain, end):
         return end
-    inside, outside = found.nominal, end
+    inside, outside = uncertain.nominal, end
     while abs(outside - inside) > FINEST:
         middle = (inside + outside) / 2.0
-        inside, outside = (middle, outside) if _made(case, found, middle) else (inside, middle)
-    bound = found.quantity.below if end else found.quantity.above
-    return inside + (OFF_BOUND * (found.nominal - inside) if bound else 0.0)
+        inside, outside = (middle, outside) if _made(case, uncertain, middle) else (inside, middle)
+    bound = uncertain.quantity.below if end else uncertain.quantity.above
+    return inside + (OFF_BOUND * (uncertain.nominal - inside) if bound else 0.0)
 
 
-def _left(found: Tolerance | str, path: str, text: str) -> str:
-    """A sentence on what is not as usual; empty where it is."""
-    if isinstance(found, str):
-        return f"{path} {text} is left out: {found.removeprefix(f'{path}: ')}"
-    if found.text == text:
+def _left(result: Tolerance | str, path: str, text: str) -> str:
+    """Sentence on a usual tolerance that is omitted or reduced; empty if it applies."""
+    if isinstance(result, str):
+        return f"{path} {text} is left out: {result.removeprefix(f'{path}: ')}"
+    if result.text == text:
         return ""
-    ends = ", ".join(dict.fromkeys(map(found.shown, found.ends)))
+    ends = ", ".join(dict.fromkeys(map(result.shown, result.ends)))
     return f"{path} {text} leaves what is allowed: taken from {ends}"
 
 
 def within_case(case: Case, sensitivities: Mapping[str, str | None]) -> Asked:
-    """Sensitivities alone, by path and range.
+    """Sensitivities by path and range, without uncertainties.
 
     Raises
     ------
-    InvalidInput : a path that leads to no number that has a share, a range that is none
+    InvalidInput : a path without a nonzero number, a range that is no tolerance
     """
     return Asked((), (), *_differences(case, sensitivities))
 
@@ -177,7 +177,7 @@ def _differences(
 
 
 def faults_of(case: Case) -> Faults:
-    """What is wrong with what a case says is uncertain: path of keys and a sentence."""
+    """Yield faults of the uncertainties of a case: path of keys and a sentence."""
     given = case.uncertain
     if given is None:
         return
@@ -191,26 +191,26 @@ def faults_of(case: Case) -> Faults:
 
 
 def _twice(case: Case, hypotheses: Mapping[str, Any], tolerances: Mapping[str, Any]) -> Faults:
-    """Numbers that two entries move."""
-    moved = {place: name for name in hypotheses for place in _places(case, _full(name))}
+    """Yield faults of values that two entries change."""
+    changed_by = {place: name for name in hypotheses for place in _places(case, _full(name))}
     for path in tolerances:
-        here = _places(case, path)
-        if other := next((moved[place] for place in sorted(here & {*moved})), None):
+        paths = _places(case, path)
+        if other := next((changed_by[place] for place in sorted(paths & {*changed_by})), None):
             yield (
                 ("uncertain", "tolerances", path),
                 f"is moved by '{other}' too: one of both",
             )
-        moved |= dict.fromkeys(here, path)
+        changed_by |= dict.fromkeys(paths, path)
 
 
 def _hypotheses(case: Case, given: Mapping[str, Any]) -> Faults:
-    found = []
+    accepted = []
     for name, values in given.items():
         try:
-            found.append(_hypothesis(case, name, values))
+            accepted.append(_hypothesis(case, name, values))
         except InvalidInput as refusal:
             yield ("uncertain", "hypotheses", name), str(refusal)
-    count = prod(len(each.values) for each in found)
+    count = prod(len(each.values) for each in accepted)
     if count > MOST_COMBINATIONS:
         yield (
             ("uncertain", "hypotheses"),
@@ -219,37 +219,37 @@ def _hypotheses(case: Case, given: Mapping[str, Any]) -> Faults:
 
 
 def _hypothesis(case: Case, name: str, values: Sequence[Any] | str) -> Hypothesis:
-    """A hypothesis of a name or a path, its nominal value first.
+    """Build a hypothesis from a name or path, its nominal value first.
 
     Raises
     ------
     InvalidInput : there is no such hypothesis, or it has no such value
     """
     path = _full(name)
-    found = found_at(case, path)
-    if not found:
+    fields = found_at(case, path)
+    if not fields:
         known = [*_of_conditions(), "spindle.bearings.*.kinematics"]
         listed = f"allowed: {', '.join(known)}, or another dotted path"
         raise InvalidInput(f"unknown hypothesis '{name}': {listed}{suggestion(name, known)}")
-    nominal, annotation = found[0]
+    nominal, annotation = fields[0]
     choice = found_in(annotation, Choice)
     if isinstance(values, str):
         if values != ALL or choice is None:
             raise InvalidInput(f"a list of values is needed, or {ALL}: given {shown(values)}")
         values = choice.allowed
-    taken = []
+    accepted = []
     for value in values:
         try:
-            taken.append(accept(annotation, value))
+            accepted.append(accept(annotation, value))
         except Refused as refusal:
             raise InvalidInput(refusal.why) from None
-    if len({*map(str, taken)}) < len(taken):
-        raise InvalidInput(f"a value is given twice: {', '.join(map(str, taken))}")
-    if len({nominal, *taken}) < 2:
+    if len({*map(str, accepted)}) < len(accepted):
+        raise InvalidInput(f"a value is given twice: {', '.join(map(str, accepted))}")
+    if len({nominal, *accepted}) < 2:
         raise InvalidInput(f"one value is no choice: given {shown(str(nominal))}")
     if nominal is None and choice is not None:
         nominal = getattr(case.conditions, path.rpartition(".")[2], None)
-    return Hypothesis(path, nominal, tuple(dict.fromkeys((nominal, *taken))))
+    return Hypothesis(path, nominal, tuple(dict.fromkeys((nominal, *accepted))))
 
 
 def _full(name: str) -> str:
@@ -257,16 +257,16 @@ def _full(name: str) -> str:
 
 
 def _of_conditions() -> list[str]:
-    """Names of the conditions that are a choice of words."""
+    """Names of the conditions with a choice of words."""
     return [f.name for f in declared(Conditions) if found_in(f.annotation, Choice) is not None]
 
 
 def _refusal(case: Case, path: str, text: str) -> str:
-    """Why a tolerance leads to no machine that there may be; empty where it does."""
+    """Reason why a tolerance gives no valid machine; empty if it does."""
     try:
-        found = tolerance(case, path, text)
+        uncertain = tolerance(case, path, text)
         for share in (0.0, 1.0):
-            vary(case, found.at(share))
+            vary(case, uncertain.at(share))
     except InvalidInput as refusal:
         return str(refusal)
     return ""
@@ -277,7 +277,7 @@ def _places(case: Case, path: str) -> set[str]:
 
 
 def _matters(case: Case, path: str) -> bool:
-    """Whether there are balls that turn, and where moments are shared, have one."""
+    """Whether a hypothesis on ball kinematics or moment sharing affects the case."""
     name, conditions = path.rpartition(".")[2], case.conditions
     if name not in ("kinematics", "moment_sharing"):
         return True
@@ -288,16 +288,16 @@ def _matters(case: Case, path: str) -> bool:
 
 
 def conflicts(case: Case, variants: Mapping[str, Case]) -> Faults:
-    """Uncertain values that variants replace: their range would be that of another value."""
+    """Yield faults of uncertain values that variants replace by another nominal value."""
     given = case.uncertain
     if given is None:
         return
     for key, paths in (("hypotheses", given.hypotheses), ("tolerances", given.tolerances)):
         for name in paths:
             path = _full(name) if key == "hypotheses" else name
-            here = [value for value, _ in found_at(case, path)]
+            nominal = [value for value, _ in found_at(case, path)]
             for variant, other in variants.items():
-                if [value for value, _ in found_at(other, path)] != here:
+                if [value for value, _ in found_at(other, path)] != nominal:
                     yield (
                         ("uncertain", key, name),
                         f"is replaced by the variant {variant}: what is uncertain is the same in "

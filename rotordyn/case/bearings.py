@@ -1,4 +1,4 @@
-"""Reads bearings of any kind and their places on the shaft."""
+"""Reads bearings of any kind, and bearings on the shaft."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ SHARED = tuple(common.fills[-1] for common in COMMON[Spindle])
 
 
 def seat(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
-    """A bearing on the shaft, called by the name that its model has."""
+    """Read a bearing on the shaft; it takes the name of its model."""
     given = {key: node.child(key) for key in SHARED}
     own = tuple(key for key, child in given.items() if child is not None and not child.shared)
     read = {key: _measured(node.child("model", key), "length") for key in SIZES}
@@ -42,7 +42,7 @@ def seat(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]
 
 
 def _measured(node: Node | None, kind: str) -> float | None:
-    """A number with a unit of this kind; None where there is none, or a faulty one."""
+    """Parse a number with a unit of this kind; None if missing or faulty."""
     try:
         return None if node is None else units.parse(node.value, kind)
     except InvalidInput:
@@ -50,7 +50,7 @@ def _measured(node: Node | None, kind: str) -> float | None:
 
 
 def bearing(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
-    """A bearing of any kind; None where its faults are reported."""
+    """Read a bearing of any kind; None if it has faults, which are reported."""
     if not isinstance(node.value, dict):
         return reading.wrong_shape(annotation, node, "a name, a path or a mapping")
     if node.child("estimate") is not None:
@@ -75,9 +75,9 @@ def bearing(reading: Reading, annotation: Any, node: Node, others: tuple[type, .
 
 
 def _named(sentence: str, model: type[BallBearing], node: Node) -> tuple[tuple[str, ...], str]:
-    """The key to change of those that a sentence names, and how to override one of the model.
+    """Key to be changed, of those that a sentence names, and a hint on overriding the model.
 
-    Keys that an override gives come first: the model of a library is not the user's to change.
+    Keys in an override come first: the user cannot change a model of the library.
     """
     kind: Any = model
     optional = {field.name for field in keys_of(kind) if field.default is None}
@@ -93,7 +93,7 @@ def _named(sentence: str, model: type[BallBearing], node: Node) -> tuple[tuple[s
 
 
 def _rings(faults: Faults, node: Node, made: BallBearing) -> None:
-    """Bore and outside leave a ring beside the balls."""
+    """Report rings without thickness between balls and bore or outside diameter."""
     sizes = (_measured(node.child(key), "length") for key in ("bore_diameter", "outside_diameter"))
     for which, _, allowed in no_ring_left(made, *sizes):
         key = f"{which}_diameter"

@@ -26,7 +26,7 @@ OF_BALLS = ("kinematics", "moment_sharing", "friction", "dynamics")
 
 
 class ByName:
-    """Marks specs by the name of their analysis, which tells what each of them is."""
+    """Mark of a mapping of specs by the name of their analysis, which determines their class."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +78,7 @@ class Case(Description):
 
     @property
     def known(self) -> tuple[Reference, ...]:
-        """The references that were found under the conditions of this case."""
+        """References that hold under the conditions of this case."""
         return tuple(r for r in self.references if self._holds(r))
 
     def _holds(self, reference: Reference) -> bool:
@@ -86,13 +86,13 @@ class Case(Description):
         return all(getattr(given, key) == word for key, word in reference.conditions.items())
 
     def vary(self, changes: Mapping[str, object]) -> Case:
-        """This case with other values at dotted paths; see ``rotordyn.vary``."""
+        """Return this case with other values at dotted paths; see ``rotordyn.vary``."""
         from rotordyn.case.vary import vary
 
         return vary(self, changes)
 
     def _repr_html_(self) -> str:
-        """What it asks of which machine, in a short table, which notebooks show."""
+        """Short table of machine, speeds and analyses for notebooks."""
         from rotordyn.markup import table
 
         return table(self.title or self.name, self._rows())
@@ -114,7 +114,7 @@ class Case(Description):
 
     @property
     def setting(self) -> Setting | None:
-        """Spindle, conditions and speeds; None of a single bearing."""
+        """Spindle, conditions and speeds; None for a single bearing."""
         if self.spindle is None:
             return None
         return Setting(self.spindle, self.conditions, self.speeds)
@@ -128,7 +128,7 @@ class Case(Description):
 
     @property
     def _named(self) -> dict[str, Spec]:
-        """The analyses without those whose fault is reported already."""
+        """Analyses without those that are faulty and reported already."""
         return {name: spec for name, spec in self.analyses.items() if name}
 
     def _faults(self) -> Faults:
@@ -148,7 +148,7 @@ class Case(Description):
         yield from self._variants()
 
     def faults_alone(self) -> Faults:
-        """What is wrong whatever the machine is."""
+        """Yield faults that do not depend on the machine."""
         yield from ascending("speeds", self.speeds)
         if not self.analyses:
             yield ("analyses",), "nothing is asked: name at least one analysis"
@@ -168,7 +168,7 @@ class Case(Description):
                     yield ("references", index, "conditions"), sentence
 
     def _asked_of_machine(self) -> Faults:
-        """A single bearing has no rotor and no weight; a spindle is more than one bearing."""
+        """Yield faults of analyses and conditions that do not apply to this kind of machine."""
         for name in self._named:
             record = analysis(name)
             if (record.machine == "bearing") != (self.bearing is not None):

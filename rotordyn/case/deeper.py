@@ -1,4 +1,4 @@
-"""Keys that stand further down than where they were looked for."""
+"""Find keys at a deeper level than where they were written."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rotordyn.field import kinds_of
 
 
 def deeper(kind: Any, name: str) -> str:
-    """Where a key that ``kind`` lacks stands one level down; empty where it does not.
+    """Path of a key one level below ``kind``; empty if there is none.
 
     >>> from rotordyn.machine import BearingSeat
     >>> deeper(BearingSeat, "contact_angle")
@@ -25,24 +25,24 @@ def deeper(kind: Any, name: str) -> str:
 
 
 def leads(kind: Any, way: tuple[str, ...]) -> bool:
-    """Whether mappings in one another lead along these keys of ``kind`` to a field or a group.
+    """Whether nested mappings with these keys lead from ``kind`` to a field or a group.
 
     >>> from rotordyn.machine import Spindle
     >>> leads(Spindle, ("damping", "rotor")), leads(Spindle, ("damping", "roter"))
     (True, False)
     """
     for field in keys_of(kind):
-        own, rest = way[: len(field.keys)], way[len(field.keys) :]
+        first, rest = way[: len(field.keys)], way[len(field.keys) :]
         if way == field.keys[: len(way)]:
             return True
-        inner = kinds_of(field.annotation) if own and own == field.keys else []
+        inner = kinds_of(field.annotation) if first and first == field.keys else []
         if any(leads(each, rest) for each in inner):
             return True
     return False
 
 
 def nested(name: str) -> str:
-    """A key with dots, as mappings in one another.
+    """Write a dotted key as nested mappings.
 
     >>> nested("damping.rotor")
     'damping: {rotor: …}'

@@ -1,8 +1,8 @@
-"""Reads one YAML file into nodes that know their line and column.
+"""Reads one YAML file into nodes with line and column.
 
-The composer works on parse events and holds its own stack limit, so that neither deep nesting nor
-an alias that multiplies itself can exhaust the machine. Duplicate keys, tags, further documents
-and anything that is not text are faults.
+The composer works on parse events and limits depth and number of values, so that neither deep
+nesting nor repeated aliases can exhaust memory. Duplicate keys, tags, further documents and
+anything that is not text are faults.
 """
 
 from __future__ import annotations
@@ -31,12 +31,12 @@ MAX_VALUES = 100_000
 _TOO_DEEP = f"nested deeper than {MAX_DEPTH} levels"
 
 _UNPRINTABLE = re.compile("[\\x00-\\x1f\\x7f-\\x9f\\ud800-\\udfff]")
-TIGHT = re.compile(r"(?:^|[{,]|- )\s*([\w.*]+):[\[{\w]")  # a key without a space behind it
+TIGHT = re.compile(r"(?:^|[{,]|- )\s*([\w.*]+):[\[{\w]")  # a key without a space after the colon
 _LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
 def read_document(path: Path, faults: Faults, contents: dict[Path, bytes]) -> Node | None:
-    """The root mapping of a YAML file, or None when ``faults`` says why there is none.
+    """Read the root mapping of a YAML file; None if it is unusable, which ``faults`` explains.
 
     ``contents`` receives the bytes read, by path.
     """
@@ -46,12 +46,12 @@ def read_document(path: Path, faults: Faults, contents: dict[Path, bytes]) -> No
 
 
 def read_bytes(path: Path, faults: Faults, contents: dict[Path, bytes]) -> bytes | None:
-    """The bytes of a file that is no YAML, likewise."""
+    """Read the bytes of a file that is not YAML; see ``read_document``."""
     return _read(path, faults, contents, lambda raw: raw)
 
 
 def read_text(path: Path, faults: Faults, contents: dict[Path, bytes]) -> str | None:
-    """The text of a file that is no YAML, likewise."""
+    """Read the text of a file that is not YAML; see ``read_document``."""
     return _read(path, faults, contents, lambda raw: _text(raw) if raw.strip() else "")
 
 
@@ -67,7 +67,7 @@ def _read(
 
 
 def shown(path: Path) -> str:
-    """A path as printed: relative to the working directory where it lies below it."""
+    """Path for messages: relative to the working directory if it lies below."""
     try:
         return str(path.absolute().relative_to(Path.cwd()))
     except (ValueError, OSError):
@@ -92,7 +92,7 @@ def _bytes(path: Path) -> bytes:
             raise _Refused(f"has {status.st_size} bytes: allowed are up to {MAX_BYTES}")
         with open(path, "rb", opener=_at_once) as file:
             raw = file.read(MAX_BYTES + 1) or b""
-        if len(raw) > MAX_BYTES:  # of a file that grows, or that the system makes up
+        if len(raw) > MAX_BYTES:  # a growing file, or one in /proc with a reported size of 0
             raise _Refused(f"has more than {MAX_BYTES} bytes: allowed are up to {MAX_BYTES}")
         return raw
     except FileNotFoundError:
@@ -103,7 +103,7 @@ def _bytes(path: Path) -> bytes:
 
 
 def _at_once(path: str, flags: int) -> int:
-    """Open a file so that reading it waits for nobody."""
+    """Open a file without blocking, as on a pipe without a writer."""
     return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
 
 
@@ -146,7 +146,7 @@ class _Composer:
         self.duplicates: list[tuple[Node, str, Any]] = []
 
     def root(self, text: str) -> Node | None:
-        """The root node, a mapping; raises _Refused where the text is not usable."""
+        """Compose the root mapping; raises _Refused if the text is unusable."""
         self.events = yaml.parse(text, Loader=_LOADER)
         try:
             root = self._document()

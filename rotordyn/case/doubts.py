@@ -1,4 +1,4 @@
-"""What is rarely meant in a case, as far as its description tells: nothing is solved for it."""
+"""Warnings about a case that follow from its description, without solving anything."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rotordyn.results.by_variant import by_variant
 
 
 def doubts(case: Case) -> Iterator[str]:
-    """Sentences that a run will warn of, or end with, led by the variants where there are any."""
+    """Yield warnings and reasons of failure that a run would report, preceded by the variants."""
     yield from by_variant(
         {name: [*_of_one(each)] for name, each in (case.variants or {"": case}).items()}
     )
@@ -30,7 +30,7 @@ def _of_one(case: Case) -> Iterator[str]:
 
 
 def _pushed(case: Case) -> bool:
-    """Something besides bearings may carry the thrust."""
+    """Whether something other than bearings may carry the thrust."""
     given, spindle = case.conditions, case.spindle
     assert spindle is not None
     along = given.axial_force or given.loads or given.gravity[1:] == "x"

@@ -1,4 +1,4 @@
-"""A bearing whose file gives printed values under ``estimate`` instead of balls and grooves."""
+"""Read a bearing given by catalogue values under ``estimate`` instead of balls and grooves."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _SHOULDERS = ("inner_shoulder_diameter", "outer_shoulder_diameter")
 
 
 def estimated(reading: Reading, node: Node) -> EstimatedBearing | None:
-    """The estimate from what the file gives; None where it has faults."""
+    """Estimate the bearing from the values of the file; None if it has faults."""
     from bearings.catalogue.estimate import likeliest
 
     model: Any = kind_class(DEFAULT)

@@ -1,4 +1,4 @@
-"""Replaces the names of models in a file by what their files hold."""
+"""Replaces the names of models in a file by the contents of their files."""
 
 from __future__ import annotations
 
@@ -31,9 +31,9 @@ from rotordyn.machine.tool import Tool
 
 @dataclass
 class Reader:
-    """Reads the files of one case, each once.
+    """Reader of the files of one case, each read once.
 
-    ``folders``: of each file as printed, the path that its own references are relative to.
+    ``folders``: path of each file by its printed name; its references are relative to it.
     """
 
     faults: Faults
@@ -42,7 +42,7 @@ class Reader:
     trees: dict[Path, Node | None] = field(default_factory=dict)
 
     def document(self, path: Path) -> Node | None:
-        """A tree of the file, free to be changed; None where the file cannot be used."""
+        """Return a copy of the tree of a file; None if the file is unusable."""
         if path not in self.trees:
             self.trees[path] = read_document(path, self.faults, self.contents)
         root = self.trees[path]
@@ -52,7 +52,7 @@ class Reader:
         return root.copy()
 
     def model(self, kind: str, reference: Node) -> Node | None:
-        """What ``reference`` names or holds, free to be changed: variants read the same one."""
+        """Return a copy of the tree that ``reference`` names or contains; variants share it."""
         if isinstance(reference.value, dict):
             return reference.copy()
         name = _named(reference)
@@ -68,7 +68,7 @@ class Reader:
         return root and replace(root, named=reference)
 
     def beside(self, reference: Node) -> Path | None:
-        """The file that ``reference`` names, relative to the one it is written in."""
+        """Path of the file that ``reference`` names, relative to the file with the reference."""
         path = self.folders[reference.file].parent / Path(reference.value).expanduser()
         return path if self._exists(path, reference) else None
 
@@ -80,11 +80,11 @@ class Reader:
 
 
 def opened(path: Path) -> tuple[Node, Reader]:
-    """A file, and what reads the files that it names.
+    """Read a file; return its root and a reader for the files that it names.
 
     Raises
     ------
-    InvalidInput : it cannot be used
+    InvalidInput : the file is unusable
     """
     reader = Reader(Faults())
     root = reader.document(path)
@@ -94,14 +94,14 @@ def opened(path: Path) -> tuple[Node, Reader]:
 
 
 def _named(reference: Node) -> str | None:
-    """The name of a model; makers' names may be numbers: ``bearing: 6012``."""
+    """Name of a model; designations may be numbers: ``bearing: 6012``."""
     if isinstance(reference.value, int) and not isinstance(reference.value, bool):
         return reference.raw
     return reference.value if isinstance(reference.value, str) else None
 
 
 def spindle(reference: Node, override: Mapping[str, Node], reader: Reader) -> Node | None:
-    """The spindle with overrides, bearing models and materials filled in."""
+    """Tree of the spindle with overrides, bearing models and materials filled in."""
     root = reader.model("spindles", reference)
     if root is None:
         return None
@@ -129,22 +129,22 @@ def spindle(reference: Node, override: Mapping[str, Node], reader: Reader) -> No
     return root
 
 
-_SHARING = {Spindle: (), Shaft: ("shaft",)}  # whose items share values, and the way there
+_SHARING = {Spindle: (), Shaft: ("shaft",)}  # descriptions whose items share values, their path
 _INNER = [("bearings", "*", "model")] + [
     (*way, *common.fills) for kind, way in _SHARING.items() for common in COMMON[kind]
 ]
 
 
 def _turn(path: str) -> int:
-    """When an override is put in: 0, before anything is filled in; 1, within a material; 2, within
-    the model of a bearing or what items share, after that which is meant for all of them."""
+    """Order in which an override is applied: 0, before models are filled in; 1, inside a material;
+    2, inside a bearing model or a shared value, after overrides for all items."""
     if _leads(path, _INNER):
         return 2
     return int(_leads(path, ways_to(Material, Spindle)))
 
 
 def _leads(path: str, ways: Iterable[Way]) -> bool:
-    """A path goes on within what stands at the end of one of ``ways``."""
+    """Whether a path continues inside the value at the end of one of ``ways``."""
     steps = path.split(".")
     return any(
         len(steps) > len(way)
@@ -154,7 +154,7 @@ def _leads(path: str, ways: Iterable[Way]) -> bool:
 
 
 def tool(reference: Node, reader: Reader) -> Node | None:
-    """The tool with its materials filled in."""
+    """Tree of the tool with its materials filled in."""
     root = reader.model("tools", reference)
     if root is not None:
         _fill(root, ways_to(Material, Tool), Material, reader)
@@ -162,10 +162,10 @@ def tool(reference: Node, reader: Reader) -> Node | None:
 
 
 def asked(node: Node, spec: type, reader: Reader) -> None:
-    """Fills in the models that an analysis names.
+    """Fill in the models that an analysis names.
 
-    A workpiece that cannot be read, whose fault is reported, is one of unknown coefficients, so
-    that its absence is not reported as well.
+    A workpiece that cannot be read gets unknown coefficients, so that its absence is not reported
+    in addition.
     """
     _fill(node, ways_to(Material, spec), Material, reader)
     for holder, key, named in _naming(node, ways_to(Tool, spec)):
@@ -177,7 +177,7 @@ def asked(node: Node, spec: type, reader: Reader) -> None:
 
 
 def ring_sizes(case: Node, model: Node | None) -> None:
-    """Sizes of its rings from the model of a single bearing, where they deform."""
+    """Copy ring sizes from the model of a single bearing to its flexible rings."""
     rings = case.child("analyses", "bearing", "flexible_rings")
     if model is None or rings is None or not isinstance(rings.value, dict):
         return
@@ -190,7 +190,7 @@ def ring_sizes(case: Node, model: Node | None) -> None:
 def bearing(
     reference: Node, overrides: Iterable[Mapping[str, Node]], reader: Reader
 ) -> Node | None:
-    """The bearing model with overrides and materials filled in."""
+    """Tree of the bearing model with overrides and materials filled in."""
     root = reader.model("bearings", reference)
     if root is None:
         return None
@@ -212,7 +212,7 @@ def _kind_of(bearing: Node) -> Any:
 
 
 def _forget_nulls(bearing: Node) -> None:
-    """Takes out keys of other kinds that an override has set to null."""
+    """Remove keys of other kinds that an override has set to null."""
     kept = {field.keys for field in keys_of(_kind_of(bearing))}
     for key in [k for k, v in bearing.items() if v.value is None and v.file != bearing.file]:
         if (key,) not in kept and kinds_with(str(key)):
@@ -238,13 +238,13 @@ def _table_of_support(support: Node, reader: Reader) -> None:
 
 
 def _fill(root: Node, ways: Iterable[Way], model: type, reader: Reader) -> None:
-    """Fills in the models of one kind that are named at the end of ``ways``."""
+    """Fill in the models of one kind that are named at the end of ``ways``."""
     for holder, key, named in _naming(root, ways):
         _set(holder, key, reader.model(MODELS[model], named))
 
 
 def _naming(root: Node, ways: Iterable[Way]) -> Iterator[tuple[Node, str, Node]]:
-    """At the end of each of ``ways``: the mapping, the key in it, and the name of a model."""
+    """Yield mapping, key and value of each model name at the end of ``ways``."""
     for *way, key in ways:
         for holder in matching(root, tuple(way)):
             named = holder.child(key)

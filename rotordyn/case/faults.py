@@ -1,4 +1,4 @@
-"""Collects what is wrong, each fault at the place in a file where it can be put right."""
+"""Collects faults, each with the place in a file where it can be corrected."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ LONGEST_PATH, LONGEST = 160, 700  # characters of a fault
 
 
 class Faults:
-    """The faults of one case, in the order found; the same one is kept once.
+    """Faults of one case in the order of discovery, without repetitions.
 
-    ``variant``: which one is being read, empty for the case itself. A fault that it makes elsewhere
-    than in its own entry is said to be its. ``count``: of all that were met, also of those that are
-    known: a model that two seats name has its faults twice and tells them once.
+    ``variant``: name of the variant being read, empty for the case itself; messages on faults
+    outside its own entry name it. ``count``: number of faults including repetitions, as in a model
+    that two bearings name.
     """
 
     def __init__(self) -> None:
@@ -23,27 +23,27 @@ class Faults:
         self.variant = ""
 
     def at(self, node: Node, message: str) -> None:
-        """A fault of a value."""
+        """Report a fault of a value."""
         self.add(Fault(node.file, node.line, node.column, node.path, message))
 
     def at_key(self, node: Node, message: str) -> None:
-        """A fault of a key itself, not of its value."""
+        """Report a fault of a key itself, not of its value."""
         line, column = node.key or (node.line, node.column)
         self.add(Fault(node.file, line, column, node.path, message))
 
     def missing(self, node: Node, key: str | int, message: str) -> None:
-        """A fault of a key that is not there, at the mapping that should hold it."""
+        """Report a missing key, at the mapping that should contain it."""
         line, column = node.key or (node.line, node.column)
         self.add(Fault(node.file, line, column, joined(node.path, str(key)), message))
 
     def told(self, node: Node) -> bool:
-        """A fault of this value is reported already."""
-        here = node.file, node.line, node.column
-        found = ((fault.file, fault.line, fault.column) for fault in self.reported)
-        return node.value is UNKNOWN or here in found
+        """Whether a fault of this value is already reported."""
+        position = node.file, node.line, node.column
+        positions = ((fault.file, fault.line, fault.column) for fault in self.reported)
+        return node.value is UNKNOWN or position in positions
 
     def add(self, fault: Fault) -> None:
-        """Keeps ``fault`` on one line, unless it is known."""
+        """Add ``fault`` on one line, unless it is already reported."""
         path, prefix = printable(fault.path), f"compare.{self.variant}."
         whose = f"variant {self.variant}: " if self.variant and not path.startswith(prefix) else ""
         message = printable(whose + fault.message)
@@ -56,8 +56,8 @@ class Faults:
             raise TooManyFaults(self.reported)
 
     def require_none(self, first: str = "") -> None:
-        """Raises InvalidInput where there are any: those of the file ``first``, then by the files
-        as they were met, and by line."""
+        """Raise InvalidInput if there are faults, sorted by file (``first`` before others, in the
+        order of discovery) and line."""
         files = [first, *(fault.file for fault in self.reported)]
         if self:
             order = sorted(self.reported, key=lambda f: (files.index(f.file), f.line, f.column))
@@ -68,7 +68,7 @@ class Faults:
 
 
 def _cut(text: str, longest: int) -> str:
-    """Both ends of a text that is too long to be read."""
+    """Shorten a long text to its beginning and end."""
     if len(text) <= longest:
         return text
     return f"{text[: longest // 2]} … {text[-longest // 2 :]}"

@@ -1,6 +1,6 @@
-"""Values that files write in forms of their own: models by name, matrices, known values.
+"""Readers of values with a notation of their own: models by name, matrices, references.
 
-Each form reads a node as what its annotation says; which annotation has which form: ``FORMS``.
+Each function reads a node as its annotation says; ``FORMS`` maps annotations to functions.
 """
 
 from __future__ import annotations
@@ -39,8 +39,8 @@ from rotordyn.results.display import RPM
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.spec import Spec
 
-SAME_SPEED = 1e-3  # of a speed: what a record of a measurement may be off what the case says
-# The kind of quantity read for the unit in which a reference is kept.
+SAME_SPEED = 1e-3  # allowed relative difference of the speeds in a record and in the case
+# Kind of quantity by the unit in which a reference is stored.
 KIND_OF_UNIT = {
     "N/m": "stiffness",
     "N": "force",
@@ -51,7 +51,7 @@ KIND_OF_UNIT = {
 
 
 def material(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
-    """A material, its name or path resolved already."""
+    """Read a material, whose name or path is already resolved."""
     if not isinstance(node.value, dict):
         return reading.wrong_shape(annotation, node, "a name, a path or a mapping")
     values = reading.fields(Material, node)
@@ -59,12 +59,12 @@ def material(reading: Reading, annotation: Any, node: Node, others: tuple[type, 
 
 
 def tool(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
-    """A tool, its name or path resolved already, called as its file."""
+    """Read a tool, whose name or path is already resolved; it is called as its file."""
     return reading.description(Tool, node, others, name=Path(node.file).stem)
 
 
 def reference(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
-    """Known values, in units of their quantity; one speed serves them all."""
+    """Read known values, in units of their quantity; a single speed applies to all of them."""
     if not isinstance(node.value, dict):
         return reading.wrong_shape(annotation, node, "a mapping (key: value)")
     quantity = node.child("quantity")
@@ -80,7 +80,7 @@ def reference(reading: Reading, annotation: Any, node: Node, others: tuple[type,
 
 
 def port(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
-    """A point and a direction, as ``tip.y``."""
+    """Read a point and a direction, as ``tip.y``."""
     if not isinstance(node.value, str):
         return reading.wrong_shape(annotation, node, "POINT.DIRECTION such as tip.y")
     try:
@@ -92,13 +92,13 @@ def port(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]
 
 
 def pair(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
-    """A response and an excitation."""
+    """Read a response and an excitation."""
     ports: PortPair = reading.description(PortPair, node)
     return ports.response, ports.excitation
 
 
 def frf(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
-    """Frequency responses, the pairs of a matrix among them."""
+    """Read the spec of frequency responses; the pairs of a matrix are added to its pairs."""
     matrix, pairs = node.child("matrix"), node.child("pairs")
     if matrix is not None and (pairs is None or isinstance(pairs.value, list)):
         listed = [*node.listed("pairs")]
@@ -116,20 +116,20 @@ def frf(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...])
 def measured_spindle(
     reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]
 ) -> Any:
-    """A spindle by its measured responses."""
+    """Read a spindle given by measured responses."""
     _numbered(node.listed("responses"))
     return reading.description(MeasuredSpindle, node, others)
 
 
 def _numbered(responses: list[Node]) -> None:
-    """Gives measured responses without a name their number."""
+    """Name measured responses without a name by their number."""
     for index, item in enumerate(responses):
         if isinstance(item.value, dict):
             item.value.setdefault("name", replace(item, value=f"measured {index + 1}"))
 
 
 def uncertain(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
-    """What is uncertain, or the words ``as usual``."""
+    """Read uncertainties, or the words ``as usual``."""
     if node.value == AS_USUAL:
         return Uncertain(as_usual=True)
     if not isinstance(node.value, dict):
@@ -138,18 +138,20 @@ def uncertain(reading: Reading, annotation: Any, node: Node, others: tuple[type,
 
 
 def reduced(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
-    """A housing by its reduced model, which stands in files of its own."""
-    held: dict[str, Any] = dict.fromkeys(("places", "shape", "mass", "stiffness", "damping"), ())
+    """Read a housing with a reduced model from separate files."""
+    matrices: dict[str, Any] = dict.fromkeys(
+        ("places", "shape", "mass", "stiffness", "damping"), ()
+    )
     if (model := node.child("model")) is not None:
         from rotordyn.case.reduced import reduced_model
 
-        held |= reduced_model(model, reading)
+        matrices |= reduced_model(model, reading)
         node = replace(node, value={**node.value, "model": replace(model, value=UNKNOWN)})
-    return reading.description(ReducedHousing, node, others, **held)
+    return reading.description(ReducedHousing, node, others, **matrices)
 
 
 def measured(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
-    """A measured response, whose values stand in a file of its own."""
+    """Read a measured response, whose values are in a separate file."""
     if not isinstance(node.value, dict):
         return reading.wrong_shape(annotation, node, "a mapping (key: value)")
     before = reading.faults.count
@@ -164,7 +166,7 @@ def measured(reading: Reading, annotation: Any, node: Node, others: tuple[type, 
     except InvalidInput as fault:
         reading.faults.at(name, f"{name.value}: {fault}")
         with unchecked():
-            return MeasuredResponse(**values)  # its pair is still held against the others
+            return MeasuredResponse(**values)  # its pair is still checked against the others
     reading.files.contents[path] = path.read_bytes()
     if record.speed is not None:
         given = node.child("speed")
@@ -186,7 +188,7 @@ def measured(reading: Reading, annotation: Any, node: Node, others: tuple[type, 
 
 
 def by_name(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
-    """Specs by the name of their analysis; one without keys may be left empty."""
+    """Read specs by the name of their analysis; one without keys may be empty."""
     if not isinstance(node.value, dict):
         reading.wrong_shape(annotation, node, "a mapping (key: value)")
         return {"": Spec()}
@@ -209,7 +211,7 @@ def by_name(reading: Reading, annotation: Any, node: Node, others: tuple[type, .
 
 
 def reading_of(files: Reader) -> Reading:
-    """What reads the files of a case."""
+    """Return the reader of the files of a case."""
     return Reading(files, FORMS)
 
 

@@ -1,7 +1,7 @@
-"""Keys that only files have, beside those of the descriptions they hold.
+"""Keys that only files have, in addition to the fields of descriptions.
 
-``extra``: what is read and kept nowhere, or used up before a description is read. ``COMMON``: a
-value given once for several items of a list, which get it where they have none of their own.
+``extra``: keys that are not stored, or are evaluated before a description is read. ``COMMON``:
+values given once for all items of a list, for those items that have none themselves.
 """
 
 from __future__ import annotations
@@ -297,16 +297,17 @@ _EXTRA: dict[type, Any] = {
 
 
 def extra(kind: type) -> tuple[Field, ...]:
-    """Keys of files that are no fields of this kind of description."""
+    """Keys of files that are not fields of this kind of description."""
     source = next((_EXTRA[base] for base in kind.__mro__ if base in _EXTRA), None)
     return () if source is None else tuple(replace(field, name="") for field in declared(source))
 
 
 @dataclass(frozen=True, slots=True)
 class Common:
-    """What stands at ``keys`` serves every item at ``fills`` (``*``: of a list) without its own.
+    """A value at ``keys`` that every item at ``fills`` (``*``: of a list) takes if it has none.
 
-    ``kind``: that of the items; ``meaning``: empty where ``keys`` are keys anyway.
+    ``kind``: class of the items; ``meaning``: text for the key reference, empty where ``keys`` are
+    fields anyway.
     """
 
     keys: tuple[str, ...]
@@ -343,13 +344,13 @@ COMMON: dict[type, tuple[Common, ...]] = {
 
 
 def fields_of(kind: Any) -> tuple[Field, ...]:
-    """Every field of a description, of a material with what its values measure."""
+    """All fields of a description; those of a material with their quantities."""
     return declared(_Elastic if kind is Material else kind)
 
 
 @cache
 def keys_of(kind: Any) -> tuple[Field, ...]:
-    """Every key of a file, or of a mapping in one, that is read as this kind of description."""
+    """All keys of a file, or of a mapping in it, that is read as this kind of description."""
     keys = fields_of(kind)
     common = tuple(f for each in COMMON.get(kind, ()) if each.meaning for f in _common(each))
     if issubclass(kind, BallBearing):
@@ -366,10 +367,10 @@ def _common(each: Common) -> Iterator[Field]:
 
 
 def bearing_class(word: object) -> Any:
-    """The class of a kind of bearing by its word; the usual one for any other."""
+    """Class of bearing by the word for its kind; the default class for an unknown word."""
     return kind_class(word if isinstance(word, str) and word in KINDS else DEFAULT)
 
 
 def kinds_with(key: str) -> list[str]:
-    """The kinds of bearing that have this key."""
+    """Kinds of bearing that have this key."""
     return [kind for kind in KINDS if key in kind_class(kind).measures()]

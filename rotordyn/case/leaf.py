@@ -1,4 +1,4 @@
-"""Single values as files write them, and what stands for a value whose fault is reported."""
+"""Single values as files write them, and placeholders of faulty values."""
 
 from __future__ import annotations
 
@@ -21,17 +21,17 @@ from rotordyn.quantity import Choice, Limit, Named, Quantity
 
 
 def is_kind(inner: Any) -> bool:
-    """A description."""
+    """Whether a type is a description."""
     return isinstance(inner, type) and is_dataclass(inner)
 
 
 def limit_of(annotation: Any) -> Any:
-    """What limits a value; its type where nothing does."""
+    """Limit of a value; its type if there is none."""
     return next((m for m in metadata(annotation) if isinstance(m, Limit)), bare(annotation))
 
 
 def wanted(annotation: Any) -> str:
-    """What a form takes, in a few words."""
+    """Short text on the values of a form."""
     limit, inner = limit_of(annotation), bare(annotation)
     if isinstance(limit, Quantity):
         return f"a {limit.kind} such as 1 {units.KINDS[limit.kind][0]}".rstrip()
@@ -45,7 +45,7 @@ def wanted(annotation: Any) -> str:
 
 
 def leaf(annotation: Any, value: object) -> Any:
-    """A single value as written in a file; raises Refused."""
+    """Read a single value as written in a file; raises Refused."""
     limit = limit_of(annotation)
     if not isinstance(limit, Limit):
         return _plain(bare(annotation), value, units.shown(value))
@@ -73,7 +73,7 @@ _UNKNOWN = {float: math.nan, str: "", int: 0, bool: False, Mapping: types.Mappin
 
 
 def unknown(annotation: Any) -> Any:
-    """What stands for a value whose fault is reported already."""
+    """Placeholder of a value whose fault is already reported."""
     if optional(annotation):
         return None
     inner = bare(members(annotation)[0])
@@ -88,8 +88,7 @@ def unknown(annotation: Any) -> Any:
 
 
 def is_unknown(value: Any) -> bool:
-    """A number, one of several, or a material, whose fault is reported already; NaN stands for
-    it."""
+    """Whether a value contains the placeholder of a faulty number (NaN)."""
     if isinstance(value, Material):
         return math.isnan(value.young_modulus)
     several = value if isinstance(value, tuple) else (value,)

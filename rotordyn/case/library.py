@@ -10,7 +10,7 @@ from rotordyn.errors import Fault, InvalidInput
 from rotordyn.quantity import suggestion
 
 KINDS = ("bearings", "materials", "spindles", "tools", "workpieces")
-SPOKEN = {  # words for materials that are in the library by another name
+SPOKEN = {  # common names of materials that the library has under another name
     "ceramic": "silicon_nitride",
     "si3n4": "silicon_nitride",
     "100cr6": "bearing_steel",
@@ -21,7 +21,7 @@ _PACKAGE = Path(__file__).resolve().parents[1]
 
 
 class UnknownModel(Exception):
-    """No model of that name; the message lists those there are."""
+    """Unknown model; the message lists the known ones."""
 
 
 def models_root() -> Path:
@@ -33,7 +33,7 @@ def models_root() -> Path:
 
 
 def cases_root() -> Path:
-    """The folder of cases, found as the one of models."""
+    """The folder of cases, beside that of models."""
     return models_root().parent / "cases"
 
 
@@ -44,7 +44,7 @@ def files_of(kind: str) -> list[Path]:
 
 
 def known(kind: str) -> list[str]:
-    """Names of these."""
+    """Names of the models of one kind, or of cases."""
     return [path.stem for path in files_of(kind)]
 
 
@@ -70,7 +70,7 @@ def find_case(reference: str | Path) -> Path:
 
 
 def is_path(reference: str) -> bool:
-    """A path rather than a name: it has a separator or ends in ``.yaml``."""
+    """Whether a reference is a path: it has a separator or ends in ``.yaml``."""
     return "/" in reference or "\\" in reference or reference.endswith((".yaml", ".yml"))
 
 
@@ -96,5 +96,5 @@ def find(kind: str, reference: str, beside: Path) -> Path:
 
 
 def _few(names: list[str]) -> str:
-    """Names for a sentence; of many the first ones."""
+    """Text of names; only the first ones of many."""
     return ", ".join(names[:_LISTED]) + (", …" if len(names) > _LISTED else "")

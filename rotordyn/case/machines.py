@@ -1,4 +1,4 @@
-"""Machines from files: a spindle with the tool in its nose, a single bearing."""
+"""Read machines: a spindle with the tool in its nose, or a single bearing."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from rotordyn.machine.tool import Tool
 
 
 def named_once(root: Node, faults: Faults) -> None:
-    """Exactly one of spindle and bearing is named, and a tool only with a spindle."""
+    """Report a case without exactly one of spindle and bearing, and a tool without spindle."""
     spindle, bearing = (root.child(key) for key in ("spindle", "bearing"))
     if spindle is None and bearing is None:
         faults.missing(root, "spindle", "missing key: a case needs a spindle, or a bearing")
@@ -32,8 +32,8 @@ def named_once(root: Node, faults: Faults) -> None:
 def read_spindle(
     reading: Reading, tree: Node, tool: Node | None
 ) -> tuple[Spindle, Tool | None, Node]:
-    """The spindle in ``tree`` with the tool in its nose, this, and the tree of both, checked as
-    one."""
+    """Read the spindle in ``tree``, with a tool in its nose; return spindle, tool and the tree of
+    both."""
     arrange(tree, reading.faults)
     with unchecked():
         values = reading.fields(Spindle, tree) | {"name": Path(tree.file).stem}
@@ -53,18 +53,18 @@ def read_spindle(
 
 
 def _clamped(spindle: Node, tool: Node) -> Node:
-    """The tree of a spindle with the tool's sections, masses, points and joints in it."""
-    held: dict[str, Any] = dict(spindle.value)
+    """Merge the tool's sections, masses, points and joints into the tree of a spindle."""
+    content: dict[str, Any] = dict(spindle.value)
     if shaft := spindle.entries("shaft"):
         sections = merged(tool.child("sections"), shaft.get("sections"))
-        held["shaft"] = replace(held["shaft"], value={**shaft, "sections": sections})
+        content["shaft"] = replace(content["shaft"], value={**shaft, "sections": sections})
     for key in (*OF_TOOL, "points"):
-        held[key] = merged(spindle.child(key), tool.child(key))
-    return replace(spindle, value={key: node for key, node in held.items() if node is not None})
+        content[key] = merged(spindle.child(key), tool.child(key))
+    return replace(spindle, value={key: node for key, node in content.items() if node is not None})
 
 
 def _of_bearings(reading: Reading, tree: Node) -> None:
-    """What stands once for all bearings has some."""
+    """Report values for all bearings if the spindle has none."""
     bearings = tree.child("bearings")
     if bearings is not None and bearings.value:
         return
@@ -75,8 +75,8 @@ def _of_bearings(reading: Reading, tree: Node) -> None:
 
 
 def _pushed(reading: Reading, tree: Node, made: Spindle) -> None:
-    """A bearing on a sleeve says which way the spring pushes it, even if it takes thrust both
-    ways."""
+    """Report a bearing for both thrust directions on a sleeve without a stated thrust: the spring
+    of the sleeve pushes one way."""
     on_sleeves = {name for sleeve in made.sleeves for name in sleeve.bearings}
     for index, seat in enumerate(made.seats):
         bearing: object = seat.bearing

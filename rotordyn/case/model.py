@@ -1,4 +1,4 @@
-"""One model as a frozen description, from the library or from a file of one's own."""
+"""Load one model as a frozen description, from the library or from a file."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def model(kind: Literal["materials"], reference: str | Path) -> Material: ...
 @overload
 def model(kind: Literal["workpieces"], reference: str | Path) -> Workpiece: ...
 def model(kind: str, reference: str | Path) -> Model:
-    """A model as a frozen description in SI units: by name from the library, or from a file.
+    """Load a model as a frozen description in SI units: by name from the library, or from a file.
 
     Parameters
     ----------
@@ -43,7 +43,7 @@ def model(kind: str, reference: str | Path) -> Model:
 
     Raises
     ------
-    InvalidInput : no such kind or model; or all faults of the file, each with its line
+    InvalidInput : unknown kind or model; or all faults of the file, each with its line
     """
     root, reader = _document(known_kind(kind), reference)
     reading = reading_of(reader)

@@ -1,4 +1,4 @@
-"""Where files name models that stand in files of their own, read off the annotations."""
+"""Paths at which files name models in separate files, derived from the annotations."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from rotordyn.field import bare, descriptions, members
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.tool import Tool
 
-Way = tuple[str, ...]  # keys, one within the other; ``*``: every item of a list
-# Descriptions of such models, and the folder of the library that holds them.
+Way = tuple[str, ...]  # nested keys; ``*``: every item of a list
+# Descriptions of models in separate files, and the folder of the library with them.
 MODELS: dict[type, str] = {
     Spindle: "spindles",
     Tool: "tools",
@@ -27,16 +27,16 @@ MODELS: dict[type, str] = {
 
 @cache
 def ways_to(model: type, kind: Any) -> tuple[Way, ...]:
-    """Paths at which a file of this kind names a model of another; those that serve several items,
-    shorter ones, first."""
+    """Paths at which a file of this ``kind`` names a ``model``; shorter ones, which may apply to
+    several items, first."""
     ways: list[Way] = []
     for each in keys_of(kind):
         for form in members(each.annotation) if each.keys else ():
             origin = get_origin(bare(form))
             way = (*each.keys, "*") if origin is tuple else each.keys
-            for held in () if origin is Mapping else descriptions(form):
-                if held is model:
+            for inner in () if origin is Mapping else descriptions(form):
+                if inner is model:
                     ways.append(way)
-                elif held not in MODELS:
-                    ways += [(*way, *rest) for rest in ways_to(model, held)]
+                elif inner not in MODELS:
+                    ways += [(*way, *rest) for rest in ways_to(model, inner)]
     return tuple(sorted(ways, key=len))

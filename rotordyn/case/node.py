@@ -1,4 +1,4 @@
-"""A value read from a file, together with the place it was written at."""
+"""A value read from a file, with its line and column."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ Key = str | int
 
 
 class Unknown:
-    """Stands for a value whose fault is already reported, so that the rest can be checked."""
+    """Placeholder of a value whose fault is already reported, so that the rest can be checked."""
 
     def __repr__(self) -> str:
         return "UNKNOWN"
@@ -26,8 +26,8 @@ class Node:
     ``value``: a scalar, ``dict[str, Node]``, ``list[Node]`` or ``UNKNOWN``. ``line`` and
     ``column`` count from 1; ``key``: line and column of its key, where it has one; ``path``: its
     dotted path in ``file``; ``raw``: a scalar as it was written; ``size``: number of values in it;
-    ``shared``: it is given once for several items, of which this one gives none itself; ``named``:
-    where a file names the one of which it is the whole.
+    ``shared``: copied from a value given once for several items; ``named``: the reference in
+    another file to the file of which this is the root.
     """
 
     value: Any
@@ -42,35 +42,35 @@ class Node:
     named: Node | None = None
 
     def items(self) -> Iterator[tuple[Key, Node]]:
-        """Children with the key or index each is found by."""
+        """Yield the children with their key or index."""
         if isinstance(self.value, dict):
             yield from self.value.items()
         elif isinstance(self.value, list):
             yield from enumerate(self.value)
 
     def child(self, *keys: object) -> Node | None:
-        """What is found by ``keys``, one after the other; None where there is nothing."""
+        """Descend along ``keys``; None if a key does not exist."""
         node: Node | None = self
         for key in keys:
-            held = None if node is None else node.value
-            if isinstance(held, list):
-                node = held[key] if isinstance(key, int) and 0 <= key < len(held) else None
+            content = None if node is None else node.value
+            if isinstance(content, list):
+                node = content[key] if isinstance(key, int) and 0 <= key < len(content) else None
             else:
-                node = held.get(key) if isinstance(held, dict) else None
+                node = content.get(key) if isinstance(content, dict) else None
         return node
 
     def listed(self, *keys: object) -> list[Node]:
-        """Items of the list found by ``keys``; none where there is no list."""
-        found = self.child(*keys)
-        return found.value if found is not None and isinstance(found.value, list) else []
+        """Items of the list at ``keys``; empty if there is no list."""
+        node = self.child(*keys)
+        return node.value if node is not None and isinstance(node.value, list) else []
 
     def entries(self, *keys: object) -> dict[str, Node]:
-        """Entries of the mapping found by ``keys``; none where there is no mapping."""
-        found = self.child(*keys)
-        return found.value if found is not None and isinstance(found.value, dict) else {}
+        """Entries of the mapping at ``keys``; empty if there is no mapping."""
+        node = self.child(*keys)
+        return node.value if node is not None and isinstance(node.value, dict) else {}
 
     def at(self, *keys: object) -> Node:
-        """The deepest node on the way ``keys``; a key that does not exist is passed over."""
+        """Deepest node along ``keys``; keys that do not exist are skipped."""
         node = self
         for key in keys:
             node = node.child(key) or node
@@ -78,12 +78,12 @@ class Node:
 
     @property
     def name(self) -> str:
-        """The text under its key ``name``, empty where there is none."""
+        """Text under the key ``name``; empty if there is none."""
         named = self.child("name")
         return named.value if named is not None and isinstance(named.value, str) else ""
 
     def copy(self) -> Node:
-        """The same with mappings and lists of its own, free to be changed."""
+        """Deep copy, which may be changed."""
         value = self.value
         if isinstance(value, dict):
             value = {key: child.copy() for key, child in value.items()}
@@ -92,7 +92,7 @@ class Node:
         return replace(self, value=value)
 
     def plain(self) -> Any:
-        """The bare value: scalars, dicts and lists, for validation."""
+        """Value without positions: scalars, dicts and lists."""
         if isinstance(self.value, dict):
             return {key: child.plain() for key, child in self.value.items()}
         if isinstance(self.value, list):
@@ -101,7 +101,8 @@ class Node:
 
 
 def merged(base: Node | None, more: Node | None) -> Node | None:
-    """Two mappings or two lists as one, at the place of the first; else ``more`` where there is."""
+    """Merge two mappings or two lists at the position of the first; otherwise return ``more``, or
+    ``base`` without it."""
     if base is None or more is None:
         return base or more
     if isinstance(base.value, dict) and isinstance(more.value, dict):
@@ -113,7 +114,7 @@ def merged(base: Node | None, more: Node | None) -> Node | None:
 
 
 def overlaid(base: Node | None, more: Node) -> Node:
-    """``more`` laid over ``base``: mappings key by key at any depth, all else as a whole."""
+    """Overlay ``base`` with ``more``: mappings key by key at any depth, other values replaced."""
     if base is None or not (isinstance(base.value, dict) and isinstance(more.value, dict)):
         return more
     kept = {key: value for key, value in base.value.items() if key not in more.value}
@@ -122,15 +123,14 @@ def overlaid(base: Node | None, more: Node) -> Node:
 
 
 def joined(path: str, key: Key) -> str:
-    """``path`` extended by a key, or by the place of an item of a list, counted from 1 as in paths
-    that are varied."""
+    """Append a key to ``path``, or the index of a list item, counted from 1 as in ``vary``."""
     if isinstance(key, int):
         key = f"{key + 1}"
     return f"{path}.{key}" if path else key
 
 
 def set_paths(node: Node, path: str = "") -> None:
-    """Write into each node its path; items of a list go by their ``name`` where they have one."""
+    """Set the path of each node; list items are addressed by their ``name`` if they have one."""
     node.path = path
     for key, child in node.items():
         set_paths(child, joined(path, _label(child, key)))
@@ -141,7 +141,7 @@ def _label(child: Node, key: Key) -> Key:
 
 
 def matching(node: Node, way: tuple[str, ...]) -> Iterator[Node]:
-    """Mappings reached by ``way``, where ``*`` stands for every item of a list."""
+    """Yield the mappings at the path ``way``, in which ``*`` stands for every item of a list."""
     if not way:
         if isinstance(node.value, dict):
             yield node

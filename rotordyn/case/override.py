@@ -1,4 +1,4 @@
-"""Puts single values into a file that was read: ``sleeves.front.spring.stiffness: 8 N/um``."""
+"""Apply overrides to a tree: ``sleeves.front.spring.stiffness: 8 N/um``."""
 
 from __future__ import annotations
 
@@ -12,12 +12,11 @@ from rotordyn.quantity import suggestion
 
 
 def apply(changes: Mapping[str, Node], target: Node, faults: Faults) -> None:
-    """Writes each entry of ``changes`` (dotted path: value) into ``target``, in place.
+    """Write each entry of ``changes`` (dotted path: value) into ``target``, in place.
 
-    A path names keys, and items of a list by their ``name``, or by their place from 1 where they
-    have none; ``*`` stands for every item or entry.
-    Mappings on the way are made where they are missing. Anything else the path meets is a fault.
-    Every place gets a value of its own, which may be changed further.
+    A path consists of keys, and of list items by their ``name``, or by their index from 1 if they
+    have none; ``*`` stands for every item or entry. Missing mappings are created; any other
+    obstacle is a fault. Every place gets a copy of the value.
     """
     for path, value in changes.items():
         _put(value, path.split("."), target, faults)
@@ -27,12 +26,12 @@ def _put(value: Node, steps: list[str], target: Node, faults: Faults) -> None:
     step, rest = steps[0], steps[1:]
     target.shared = False
     if step == "*" and isinstance(target.value, dict | list):
-        held: Any = target.value
+        container: Any = target.value
         for key, child in [*target.items()]:
             if rest:
                 _put(value, rest, child, faults)
             else:
-                held[key] = value.copy()
+                container[key] = value.copy()
     elif isinstance(target.value, list):
         place = _place(value, step, target, faults)
         if place is not None and rest:
@@ -52,7 +51,7 @@ def _put(value: Node, steps: list[str], target: Node, faults: Faults) -> None:
 
 
 def _place(value: Node, step: str, target: Node, faults: Faults) -> int | None:
-    """Of the item of a list by its name, without one by its place from 1."""
+    """Index of a list item by its name, or by its number from 1 if items have none."""
     names = [called_at(k, item) for k, item in enumerate(target.value, start=1)]
     if step in names:
         return names.index(step)

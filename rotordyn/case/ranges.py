@@ -17,7 +17,7 @@ from rotordyn.units import format_quantity
 
 
 def sweep(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
-    """Ascending values: a list, or a range that runs upwards in whole steps."""
+    """Read ascending values: a list, or a range in whole steps."""
     if isinstance(node.value, list):
         return reading.items(annotation, node)
     if not isinstance(node.value, dict):

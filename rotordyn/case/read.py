@@ -1,4 +1,4 @@
-"""The door for case files: one call, either a whole case or every fault in it."""
+"""Read case files: either a complete case, or all of its faults."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
 
 MOST_VARIANTS = 200
-# Keys by which a file that is no case is known, and what it is called.
+# Keys that identify other kinds of files.
 _OTHER_FILES = {
     "shaft": "spindle",
     "ball_diameter": "bearing",
@@ -79,22 +79,22 @@ def load(path: str | Path) -> Case:
 
 
 def _sources(trees: Mapping[Path, Node | None]) -> Iterator[tuple[str, tuple[str, ...]]]:
-    """Of every file that names a source: its title, and its sources in a line each."""
+    """Yield name, title and sources of every file that names a source."""
     for path, root in trees.items():
-        held = {} if root is None else root.plain()
-        if found := sources_in(held):
-            title = str(held.get("title") or held.get("name") or path.stem)
-            yield f"{path.parent.name}/{path.name}", (title, *found)
+        content = {} if root is None else root.plain()
+        if sources := sources_in(content):
+            title = str(content.get("title") or content.get("name") or path.stem)
+            yield f"{path.parent.name}/{path.name}", (title, *sources)
 
 
 def _with(case: Case, **changes: Any) -> Case:
-    """The case with other values of fields that no rule is about."""
+    """Replace fields of a case to which no rule applies."""
     with unchecked():
         return replace(case, **changes)
 
 
 def _case(root: Node, name: str, reader: expand.Reader) -> Case | None:
-    """The case in ``root``; good for use only if ``reader.faults`` stays empty."""
+    """Read the case in ``root``; valid only if ``reader.faults`` stays empty."""
     faults = reader.faults
     if (other := _other_file(root.value)) and not reader.faults.variant:
         faults.at(root, f"this is a {other} file, not a case: a case names it by {other}: PATH")
@@ -125,7 +125,7 @@ def _case(root: Node, name: str, reader: expand.Reader) -> Case | None:
     values["references"] = given + values["references"]
     with unchecked():
         case = Case(**values)
-    unclear = (case.spindle is None) == (case.bearing is None)  # which of both it is about
+    unclear = (case.spindle is None) == (case.bearing is None)  # neither or both given
 
     def report(rules: Rules) -> None:
         for path, sentence in rules:
@@ -141,11 +141,11 @@ def _case(root: Node, name: str, reader: expand.Reader) -> Case | None:
     return case
 
 
-def _other_file(held: Mapping[str, object]) -> str:
-    """What kind of file a mapping is, where it is no case."""
-    if {"speeds", "analyses", "spindle", "bearing"} & {*held}:
+def _other_file(content: Mapping[str, object]) -> str:
+    """Kind of file that a mapping belongs to, if it is not a case."""
+    if {"speeds", "analyses", "spindle", "bearing"} & {*content}:
         return ""
-    return next((kind for key, kind in _OTHER_FILES.items() if key in held), "")
+    return next((kind for key, kind in _OTHER_FILES.items() if key in content), "")
 
 
 def _digest(contents: dict[Path, bytes]) -> str:

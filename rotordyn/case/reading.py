@@ -1,9 +1,9 @@
-"""Reads what a file holds as the descriptions of the machine and of the analyses.
+"""Reads the nodes of a file as descriptions of the machine and of the analyses.
 
-The annotations of a description say what each of its keys takes; nothing else does. Every fault is
-reported at its place. A value found faulty becomes NaN, an empty word or None, on which no
-comparison takes hold, so that the rules between the other values are still checked: a description
-read from a file with faults is good for that and for nothing else.
+The annotations of a description define what each of its keys takes; nothing else does. Every fault
+is reported with its line. A faulty value is replaced by NaN, an empty text or None, with which no
+comparison is true, so that the rules between the other values are still checked: a description read
+from a file with faults serves for that alone.
 """
 
 from __future__ import annotations
@@ -34,9 +34,8 @@ Form = Callable[["Reading", Any, Node, tuple[type, ...]], Any]
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """What reads nodes: ``forms`` reads what ``files`` write in forms of its own.
-
-    A form is found by the type of a value or of what stands beside it in its annotation.
+    """Reader of nodes: ``files`` reads the files of a case; ``forms`` has functions for values with
+    a notation of their own, by the type of the value or of a mark in its annotation.
     """
 
     files: Reader
@@ -44,11 +43,11 @@ class Reading:
 
     @property
     def faults(self) -> Faults:
-        """Of all files."""
+        """Faults of all files."""
         return self.files.faults
 
     def value(self, annotation: Any, node: Node) -> Any:
-        """What ``node`` holds, as a field of this annotation keeps it."""
+        """Read ``node`` as the value of a field with this annotation."""
         if node.value is UNKNOWN:
             return unknown(annotation)
         if node.value is None and optional(annotation):
@@ -61,7 +60,7 @@ class Reading:
         return self._one(forms[0], node)
 
     def _one(self, annotation: Any, node: Node) -> Any:
-        """What is of one form only, None aside."""
+        """Read a node whose annotation has one form only, None aside."""
         if form := self._form(annotation):
             return form(self, annotation, node, ())
         inner = bare(annotation)
@@ -84,7 +83,7 @@ class Reading:
         return next((self.forms[kind] for kind in kinds if kind in self.forms), None)
 
     def wrong_shape(self, annotation: Any, node: Node, allowed: str) -> Any:
-        """Reports a value of another shape than is needed."""
+        """Report a value of the wrong shape."""
         message = f"wrong shape: given {units.shown(node.plain())}; allowed: {allowed}"
         if isinstance(node.value, str) and (tight := TIGHT.match(node.value)):
             message += f" (put a space after the colon of '{tight[1]}:')"
@@ -92,7 +91,7 @@ class Reading:
         return unknown(annotation)
 
     def _one_of(self, annotation: Any, forms: tuple[Any, ...], node: Node) -> Any:
-        """One of several forms, told apart by what is written."""
+        """Read a node as one of several forms, chosen by what is written."""
         if isinstance(node.value, dict):
             kinds = [bare(form) for form in forms if is_kind(bare(form))]
             if len(kinds) > 1:
@@ -132,7 +131,7 @@ class Reading:
         return unknown(annotation)
 
     def items(self, annotation: Any, node: Node) -> Any:
-        """A list as a tuple."""
+        """Read a list as a tuple."""
         if not isinstance(node.value, list):
             return self.wrong_shape(annotation, node, "a list")
         inner = get_args(bare(annotation))
@@ -158,9 +157,9 @@ class Reading:
     def description(
         self, kind: type, node: Node, others: tuple[type, ...] = (), **given: Any
     ) -> Any:
-        """A description from a mapping; ``others``: those that it might have been instead.
+        """Read a mapping as a description; ``others``: alternative descriptions, for messages.
 
-        ``given``: values of fields that are no keys.
+        ``given``: values of fields that are not keys.
         """
         if not isinstance(node.value, dict):
             return self.wrong_shape(kind, node, _mapping(kind))
@@ -169,9 +168,9 @@ class Reading:
         return self.made(kind, values, node, whole=self.faults.count == before)
 
     def made(self, kind: type, values: Mapping[str, Any], node: Node, *, whole: bool = True) -> Any:
-        """A description of these values, held against its own rules.
+        """Build a description from values and check its rules.
 
-        ``whole``: none of them is faulty, so that what is missing altogether can be told.
+        ``whole``: no value is faulty, so that rules about the description as a whole apply.
         """
         with unchecked():
             made: Any = kind(**values)
@@ -187,9 +186,9 @@ class Reading:
         others: tuple[type, ...] = (),
         annotations: Mapping[str, Any] = {},
     ) -> dict[str, Any]:
-        """Values of the fields of a description, by name.
+        """Read the fields of a description, by name.
 
-        ``annotations``: what some of them take here, where that hangs on other values.
+        ``annotations``: replace those of some fields, where they depend on other values.
         """
         keys = keys_of(kind)
         self._unknown_keys(kind, keys, node, others)
@@ -204,16 +203,16 @@ class Reading:
         return values
 
     def given(self, kind: type, node: Node) -> dict[str, Any]:
-        """Values of those keys of a description that a mapping gives."""
+        """Read only those keys of a description that a mapping gives."""
         if not isinstance(node.value, dict):
             self.wrong_shape(kind, node, "a mapping (key: value)")
             return {}
         keys = keys_of(kind)
         self._unknown_keys(kind, keys, node, ())
-        held = [(field, node.child(*field.keys)) for field in keys]
+        children = [(field, node.child(*field.keys)) for field in keys]
         return {
             ".".join(field.keys): self.value(field.annotation, child)
-            for field, child in held
+            for field, child in children
             if child is not None
         }
 
@@ -233,13 +232,13 @@ class Reading:
         return unknown(field.annotation)
 
     def at(self, node: Node, path: Path, sentence: str) -> None:
-        """A fault of what is at ``path``, or should be."""
+        """Report a fault of the value at ``path``, or of its absence."""
         message = filled(sentence, path, lambda way: _written(node, way))
         entry = node.child(*path)
         if path and entry is not None:
             entry = entry.named or entry  # a file as a whole has no key to put right
         if message.startswith("missing key") and entry is not None and self.faults.told(entry):
-            return  # what stands there is not known
+            return  # its value is faulty and reported already
         if entry is None and message.startswith("missing key"):
             self.faults.missing(node.at(*path[:-1]), path[-1], message)
         elif entry is not None and entry.key and isinstance(entry.value, dict | list):
@@ -256,13 +255,13 @@ class Reading:
                 self.wrong_shape(None, child, f"a mapping (key: value) with {', '.join(inside)}")
                 continue
             known = _next(ways, place)
-            held = [f for other in others for f in keys_of(other) if f.keys[:1] == (name,)]
+            alternatives = [f for other in others for f in keys_of(other) if f.keys[:1] == (name,)]
             if issubclass(kind, BallBearing):
                 self._key_of_bearing(node, name, known)
             elif "." in name and leads(kind, (*place, *name.split("."))):
                 words = f"keys are nested: write {nested(name)}"
                 self.faults.at_key(child, f"unknown key: given {units.shown(name)}; {words}")
-            elif held and not place:
+            elif alternatives and not place:
                 alternative = next(f.keys[0] for f in keys if _distinct(f, node, others))
                 *above, last = node.path.split(".")  # an item is called by its list
                 noun = (above or [last])[-1].rstrip("s")
@@ -273,7 +272,7 @@ class Reading:
                 self.faults.at_key(child, unknown_key(name, known, holder, within))
 
     def _key_of_bearing(self, node: Node, name: str, known: list[str]) -> None:
-        """A key of another kind of bearing than is written, or than an override has made it."""
+        """Report a key of another kind of bearing than the file, or an override, says."""
         sentence, kinds, kind = unknown_key(name, known), kinds_with(name), node.child("kind")
         key = node.at(name)
         if kinds and kind is None:
@@ -286,9 +285,9 @@ class Reading:
 
 
 def unknown_key(given: str, allowed: list[str], holder: str = "", within: str = "") -> str:
-    """A sentence for a key that is not there; of one that was there earlier, why it is gone.
+    """Sentence on an unknown key; on one of earlier versions, why it was removed.
 
-    ``within``: where such a key stands further down, if it does."""
+    ``within``: path of such a key at a deeper level, if there is one."""
     if sentence := RETIRED.get((holder, given)):
         return sentence
     listed = ", ".join(allowed[:_LISTED]) + (", …" if len(allowed) > _LISTED else "")
@@ -299,8 +298,8 @@ def unknown_key(given: str, allowed: list[str], holder: str = "", within: str = 
 def _within(
     node: Node, ways: list[tuple[str, ...]], place: tuple[str, ...] = ()
 ) -> Iterator[tuple[tuple[str, ...], str, Node]]:
-    """Keys that lead to no field, or hold no mapping on the way to one: the mapping they stand in,
-    the key, its node."""
+    """Yield unknown keys, and keys on the path to a field that hold no mapping: path of the
+    enclosing mapping, key, node."""
     for name, child in node.value.items():
         way = (*place, name)
         if way in ways:
@@ -312,13 +311,13 @@ def _within(
 
 
 def _next(ways: list[tuple[str, ...]], place: tuple[str, ...]) -> list[str]:
-    """Keys of the mapping at ``place``."""
+    """Known keys of the mapping at ``place``."""
     inside = (way[len(place)] for way in ways if way[: len(place)] == place and way != place)
     return list(dict.fromkeys(inside))
 
 
 def spread(kind: type, node: Node) -> None:
-    """Gives items of a list, where they have none of their own, what stands beside it for all."""
+    """Copy a value given once for all items of a list to those items that have none themselves."""
     for common in COMMON.get(kind, ()):
         source = node.child(*common.keys)
         if source is None and _reported(node, common.keys):
@@ -331,7 +330,7 @@ def spread(kind: type, node: Node) -> None:
 
 
 def _reported(node: Node, path: Path) -> bool:
-    """On the way along ``path`` stands a value whose fault is reported already."""
+    """Whether a value along ``path`` is faulty and reported already."""
     return any(
         entry is not None and entry.value is UNKNOWN
         for entry in (node.child(*path[:end]) for end in range(1, len(path)))
@@ -339,13 +338,13 @@ def _reported(node: Node, path: Path) -> bool:
 
 
 def _is_common(kind: type, field: Field) -> bool:
-    """A key whose value is read where the items are that it serves."""
+    """Whether a key gives a common value, which is read with the items that share it."""
     keys = [common.keys for common in COMMON.get(kind, ())]
     return not field.name and any(field.keys[: len(way)] == way for way in keys)
 
 
 def _mapping(kind: type) -> str:
-    """What is written for a description, with the keys that it must have."""
+    """Text on the mapping of a description, with its required keys."""
     needed = [".".join(field.keys) for field in keys_of(kind) if field.default is REQUIRED]
     return "a mapping (key: value)" + f" with {', '.join(needed)}" * bool(needed)
 
@@ -356,11 +355,11 @@ def _written(node: Node, path: Path) -> str:
 
 
 def _distinct(field: Field, node: Node, others: tuple[type, ...] = ()) -> bool:
-    """A key that must be given, and by which a form is told from others."""
+    """Whether a field is required and distinguishes its description from the ``others``."""
     if not field.keys or field.default is not REQUIRED:
         return False
-    held = {f.keys for other in others for f in keys_of(other)}
-    return field.keys not in held and (bool(others) == (node.child(*field.keys) is not None))
+    other_keys = {f.keys for other in others for f in keys_of(other)}
+    return field.keys not in other_keys and (bool(others) == (node.child(*field.keys) is not None))
 
 
 def _is_leaf(inner: Any) -> bool:
@@ -368,7 +367,7 @@ def _is_leaf(inner: Any) -> bool:
 
 
 def _likeness(kind: type, node: Node) -> tuple[int, int, int]:
-    """How well the keys of a mapping are those of a description."""
+    """Score of how well the keys of a mapping match those of a description."""
     keys = {field.keys[0]: field for field in keys_of(kind) if field.keys}
     known = [keys[name] for name in node.value if name in keys]
     fitting = [f for f in known if _fits(f.annotation, node.value[f.keys[0]])]

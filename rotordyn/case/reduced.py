@@ -1,8 +1,8 @@
 """Reduced models of housings from files: numpy archives (.npz) or Matrix Market (.mtx), SI units.
 
-An archive holds ``places`` with either ``mass``, ``stiffness`` and perhaps ``damping``, n × n, or
+An archive contains ``places`` with either ``mass``, ``stiffness`` (and ``damping``), n × n, or
 ``frequency`` [Hz], ``damping_ratio`` and ``shape`` (places × n) of modes of unit modal mass
-[1/√kg]. Of matrices ``places`` names every coordinate, an inner one by an empty word.
+[1/√kg]. With matrices, ``places`` names every coordinate, internal ones by an empty text.
 """
 
 from __future__ import annotations
@@ -36,12 +36,12 @@ _FORMS = f"places with mass, stiffness (and damping), or with {', '.join(_MODAL)
 
 
 class NoModel(Exception):
-    """A file that holds no reduced model; the message says why."""
+    """A file contains no reduced model; the message gives the reason."""
 
 
 def reduced_model(reference: Node, reading: Reading) -> Held:
-    """The model in an archive or in Matrix Market files, as fields of ``ReducedHousing``; nothing
-    where its faults are reported."""
+    """Read a model from an archive or Matrix Market files as fields of ``ReducedHousing``; empty if
+    it has faults, which are reported."""
     try:
         if isinstance(reference.value, dict):
             return _from_files(reference, reading)
@@ -76,34 +76,34 @@ def _bytes(reference: Node, reading: Reading) -> bytes | None:
 
 
 def from_archive(raw: bytes) -> Held:
-    """The model in a numpy archive; raises NoModel."""
+    """Read the model in a numpy archive; raises NoModel."""
     try:
         with np.load(io.BytesIO(raw), allow_pickle=False) as archive:
             for name in archive.zip.namelist():
                 _require_small(name, archive.zip)
-            held: dict[str, Any] = {name: archive[name] for name in archive.files}
+            arrays: dict[str, Any] = {name: archive[name] for name in archive.files}
     except (ValueError, OSError, EOFError, KeyError, TypeError, AttributeError, *_BROKEN):
         raise NoModel("is not a numpy archive (.npz) of plain arrays") from None
-    for name in held:
+    for name in arrays:
         if name not in _KNOWN:
             hint = suggestion(name, _KNOWN)
             raise NoModel(f"unknown array: given {shown(name)}; allowed: {', '.join(_KNOWN)}{hint}")
-    if "places" not in held:
-        raise NoModel(_lacks("places", held))
-    both = [[name for name in kind if name in held] for kind in (_MATRICES, _MODAL)]
+    if "places" not in arrays:
+        raise NoModel(_lacks("places", arrays))
+    both = [[name for name in kind if name in arrays] for kind in (_MATRICES, _MODAL)]
     if all(both):
         matrices, modal = (", ".join(names) for names in both)
         raise NoModel(
             f"holds both matrices and modes: given {matrices} and {modal}; allowed: {_FORMS}"
         )
-    places = [str(place) for place in np.atleast_1d(held["places"])]
-    if any(name in held for name in _MODAL):
-        return _from_modes(places, held)
-    return from_matrices(places, held)
+    places = [str(place) for place in np.atleast_1d(arrays["places"])]
+    if any(name in arrays for name in _MODAL):
+        return _from_modes(places, arrays)
+    return from_matrices(places, arrays)
 
 
 def _require_small(name: str, archive: ZipFile) -> None:
-    """Raises NoModel where an array would not be that of a reduced model, before it is read."""
+    """Raise NoModel if an array is too large for a reduced model, before it is read."""
     with archive.open(name) as member:
         version = np.lib.format.read_magic(member)
         read = (
@@ -121,11 +121,11 @@ def _require_small(name: str, archive: ZipFile) -> None:
 
 
 def from_market(raw: Mapping[str, bytes], places: Sequence[str]) -> Held:
-    """The model in Matrix Market files by the names of the matrices; raises NoModel."""
+    """Read the model in Matrix Market files, given by the names of the matrices; raises NoModel."""
     from scipy.io import mminfo, mmread
     from scipy.sparse import issparse
 
-    held: dict[str, Any] = {}
+    matrices: dict[str, Any] = {}
     for name, content in raw.items():
         try:
             rows, columns, entries = mminfo(io.BytesIO(content))[:3]
@@ -137,36 +137,36 @@ def from_market(raw: Mapping[str, bytes], places: Sequence[str]) -> Held:
             matrix: Any = mmread(io.BytesIO(content))
         except (ValueError, OSError, TypeError, IndexError, OverflowError, MemoryError):
             raise NoModel(f"{name} is not a Matrix Market file") from None
-        held[name] = matrix.toarray() if issparse(matrix) else matrix
-    return from_matrices(list(places), held)
+        matrices[name] = matrix.toarray() if issparse(matrix) else matrix
+    return from_matrices(list(places), matrices)
 
 
-def from_matrices(places: list[str], held: Mapping[str, Any]) -> Held:
-    """The model by its matrices, ``places`` naming every coordinate; raises NoModel."""
+def from_matrices(places: list[str], given: Mapping[str, Any]) -> Held:
+    """Build the model from its matrices; ``places`` names every coordinate; raises NoModel."""
     for name in ("mass", "stiffness"):
-        if name not in held:
-            raise NoModel(_lacks(name, held))
+        if name not in given:
+            raise NoModel(_lacks(name, given))
     n = len(places)
     if n > MOST:
         raise NoModel(f"has {n} coordinates: allowed are up to {MOST}; reduce it further")
     square = (n, n)
-    matrices = {name: _real(name, held[name], square) for name in _MATRICES if name in held}
+    matrices = {name: _real(name, given[name], square) for name in _MATRICES if name in given}
     used = [k for k, place in enumerate(places) if place]
     damping = matrices.get("damping", np.zeros(square))
     mass, stiffness = _positive(matrices["mass"]), matrices["stiffness"]
     return _held([places[k] for k in used], np.eye(n)[used], mass, stiffness, damping)
 
 
-def _from_modes(places: list[str], held: Mapping[str, Any]) -> Held:
+def _from_modes(places: list[str], given: Mapping[str, Any]) -> Held:
     for name in _MODAL:
-        if name not in held:
-            raise NoModel(_lacks(name, held))
-    n = len(np.atleast_1d(held["frequency"]))
+        if name not in given:
+            raise NoModel(_lacks(name, given))
+    n = len(np.atleast_1d(given["frequency"]))
     if n > MOST:
         raise NoModel(f"has {n} modes: allowed are up to {MOST}")
-    frequency = _real("frequency", np.atleast_1d(held["frequency"]), (n,))
-    ratio = _real("damping_ratio", np.atleast_1d(held["damping_ratio"]), (n,))
-    shape = _real("shape", held["shape"], (len(places), n))
+    frequency = _real("frequency", np.atleast_1d(given["frequency"]), (n,))
+    ratio = _real("damping_ratio", np.atleast_1d(given["damping_ratio"]), (n,))
+    shape = _real("shape", given["shape"], (len(places), n))
     if (frequency < 0.0).any():
         raise NoModel(f"frequency below zero: given {frequency.min():g} Hz; allowed: from 0 Hz")
     for value in ratio:
@@ -204,5 +204,5 @@ def _positive(mass: Array) -> Array:
     return mass
 
 
-def _lacks(name: str, held: Mapping[str, Any]) -> str:
-    return f"lacks {name}: given {', '.join(held) or 'nothing'}; allowed: {_FORMS}"
+def _lacks(name: str, given: Mapping[str, Any]) -> str:
+    return f"lacks {name}: given {', '.join(given) or 'nothing'}; allowed: {_FORMS}"

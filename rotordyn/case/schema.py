@@ -48,14 +48,14 @@ FILES: dict[str, type] = {
     "identification": IdentificationFile,
 }
 _MACHINES = {"spindle": Spindle, "tool": Tool, "bearing": BallBearing}
-# What a mapping needs besides the keys that each must be given.
+# Rules of a mapping in addition to its required keys.
 _RULES: dict[type, Shape] = {
     Case: {
         "oneOf": [{"required": ["spindle"]}, {"required": ["bearing"]}],
         "dependentRequired": {"tool": ["spindle"]},
     },
     FrfSpec: {
-        "required": [],  # takes back that of the fields: one of two is enough
+        "required": [],  # replaces the one from the fields: one of two keys is enough
         "allOf": [
             {"anyOf": [{"required": ["pairs"]}, {"required": ["matrix"]}]},
             {"anyOf": [{"required": ["frequencies"]}, {"required": ["engine_orders"]}]},
@@ -99,7 +99,7 @@ def title(kind: type) -> str:
 
 
 def default_of(field: Field) -> Any:
-    """The default as written in a file; None where there is nothing to write."""
+    """Default as written in a file; None if there is nothing to write."""
     value = field.default
     if value is REQUIRED or is_dataclass(value) or value in (None, "", (), {}):
         return None
@@ -111,18 +111,18 @@ def default_of(field: Field) -> Any:
 
 
 def plain(text: str) -> str:
-    """A phrase of the documents without their links and marks."""
+    """Text without Markdown links and marks."""
     return re.sub(r" ?\(\[[^]]*\]\([^)]*\)\)", "", " ".join(text.split())).replace("`", "")
 
 
 def about(kind: type, *, plainly: bool = True) -> str:
-    """The first paragraph about a description, without units; ``plainly``: without marks."""
+    """First paragraph of a description's docstring, without units; ``plainly``: without marks."""
     text = " ".join((kind.__doc__ or "").partition("\n\n")[0].split()).replace("``", "`")
     return re.sub(r",? \[[^]]*\](?!\()", "", plain(text) if plainly else text)
 
 
 def _defined(kind: type, shapes: dict[str, Shape]) -> str:
-    """Name of the shape of a description, which is put among ``shapes``."""
+    """Name of the schema of a description, which is added to ``shapes``."""
     name = kind.__name__
     if name in shapes:
         return name
@@ -152,7 +152,7 @@ def _one_kind(shape: Shape, kind: type) -> None:
 def _mapping(
     keys: tuple[Field, ...], shapes: dict[str, Shape], kind: type, depth: int = 0
 ) -> Shape:
-    """An object with these keys and no others; those that go on within one of them in its own."""
+    """Schema of an object with these keys and no others; deeper keys become nested objects."""
     filled = {c.fills[-1] for each in COMMON.values() for c in each if c.kind is kind}
     properties: Shape = {}
     required = []
@@ -173,7 +173,7 @@ def _mapping(
 
 
 def _closed(properties: Shape, **more: Any) -> Shape:
-    """A mapping with these keys and no others."""
+    """Schema of an object with these properties and no others."""
     return {"type": "object", "properties": properties, "additionalProperties": False, **more}
 
 
@@ -189,7 +189,7 @@ def _property(key: str, field: Field, shapes: dict[str, Shape], kind: type) -> S
 
 
 def shape_of(annotation: Any, shapes: dict[str, Shape]) -> Shape:
-    """The shape of a value, whatever its form."""
+    """Schema of a value with this annotation."""
     for beside in metadata(annotation):
         if type(beside) in _FORMS:
             return _FORMS[type(beside)](annotation, shapes)
@@ -257,10 +257,10 @@ def _single(annotation: Any) -> Shape:
 
 
 def quantity(limits: Quantity) -> Shape:
-    """Text with a unit; a plain number where the kind has none; or the word for infinite.
+    """Schema of a quantity: text with a unit, a plain number without one, the word for infinite.
 
-    The range is in the description; of the text only the sign, and that it is not zero, can be
-    checked.
+    The description states the range; the pattern can only check the sign, and that the value is not
+    zero.
     """
     forms = [_text(limits)]
     if "" in units.KINDS[limits.kind]:
@@ -294,7 +294,7 @@ def _plain_number(limits: Quantity) -> Shape:
 
 
 def _reference(kind: type, shapes: dict[str, Shape]) -> Shape:
-    """A model: a name of the library, the path of a file, or a mapping in place."""
+    """Schema of a model: a name of the library, the path of a file, or a mapping."""
     path = {"type": "string", "pattern": r"[/\\]|\.ya?ml$"}
     names: list[str | int] = [*known(MODELS[kind])]
     names += [int(name) for name in known(MODELS[kind]) if name.isdecimal()]
@@ -302,7 +302,7 @@ def _reference(kind: type, shapes: dict[str, Shape]) -> Shape:
 
 
 def _sweep(annotation: Any, shapes: dict[str, Shape]) -> Shape:
-    """A list, or a range."""
+    """Schema of a list or a range."""
     item = get_args(bare(annotation))[0]
     limits = found_in(item, Quantity)
     one = quantity(limits)
@@ -313,7 +313,7 @@ def _sweep(annotation: Any, shapes: dict[str, Shape]) -> Shape:
 
 
 def _matrix(annotation: Any, shapes: dict[str, Shape]) -> Shape:
-    """Entries by name, or a whole matrix with its DOF."""
+    """Schema of a matrix: entries by name, or all rows with their DOF."""
     marker = found_in(annotation, Matrix)
     tabled = len(get_args(get_args(bare(annotation))[1])) > 1
     entries: Shape = {}
@@ -349,14 +349,14 @@ def _by_name(annotation: Any, shapes: dict[str, Shape]) -> Shape:
 
 
 def _values(annotation: Any, shapes: dict[str, Shape]) -> Shape:
-    """A reference: its values have the unit of its quantity."""
+    """Schema of a reference, whose values have the unit of its quantity."""
     shape = _mapping(keys_of(Reference), shapes, Reference)
     shape["properties"]["values"]["items"] = {"type": ["string", "number"]}
     return {**shape, "description": about(Reference)}
 
 
 def _worded(annotation: Any, shapes: dict[str, Shape]) -> Shape:
-    """A mapping, or the words for the usual one."""
+    """Schema of a mapping, or of the words for the usual one."""
     whole = {"$ref": f"#/$defs/{_defined(bare(members(annotation)[0]), shapes)}"}
     return {"anyOf": [{"const": AS_USUAL}, whole]}
 

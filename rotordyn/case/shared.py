@@ -1,4 +1,4 @@
-"""Paths of files to what is given once for several items, as paths of these items."""
+"""Resolve paths to values given once for several items into paths of these items."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ Steps = tuple[str, ...]
 
 
 def common_at(holder: Any, steps: Steps) -> Common | None:
-    """What is given once for several items of ``holder``, where a path leads into that."""
+    """The common value of several items of ``holder`` into which a path leads; None if none."""
     each: Common
     for each in COMMON.get(type(holder), ()):
         if each.meaning and steps[: len(each.keys)] == each.keys:
@@ -21,18 +21,17 @@ def common_at(holder: Any, steps: Steps) -> Common | None:
 
 
 def called(key: object) -> str:
-    """A key of a mapping as written in a path; a place of a matrix as in files."""
+    """Key of a mapping as written in a path; entries of a matrix as in files."""
     return entry_name(*key) if isinstance(key, tuple) else str(key)
 
 
 def called_at(place: int, item: object) -> str:
-    """An item of a list as written in a path: by its name, without one by its place from 1."""
+    """Item of a list as written in a path: its name, or its number from 1 if it has none."""
     return getattr(item, "name", "") or str(place)
 
 
 def ways_of_items(holder: Any, common: Common, steps: Steps) -> list[Steps]:
-    """The same path within every item that gives no such value itself; none where that is not
-    known of items."""
+    """The path inside every item that has no such value itself."""
     listed, _, key = common.fills
     kind: Any = type(holder)
     name = next(field.name for field in declared(kind) if field.keys == (listed,))

@@ -1,4 +1,4 @@
-"""What comes with rotordyn: lists of its models and cases, with their sources."""
+"""Lists of the models and cases that come with rotordyn, with their sources."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ from rotordyn.quantity import suggestion
 
 @dataclass(frozen=True, slots=True)
 class Shipped:
-    """One file that comes with rotordyn.
+    """A file that comes with rotordyn.
 
-    ``kind``: one of ``library.KINDS``, or ``"cases"``; ``name``: what it is called by; ``title``;
-    ``sources``: where its values come from.
+    ``kind``: one of ``library.KINDS``, or ``"cases"``; ``name`` for reference; ``title``;
+    ``sources`` of its values.
     """
 
     kind: str
@@ -46,7 +46,7 @@ def cases() -> tuple[Shipped, ...]:
 
 
 def known_kind(kind: object) -> str:
-    """``kind`` where there are such models; raises InvalidInput otherwise."""
+    """Return ``kind`` if there are such models; raises InvalidInput otherwise."""
     if isinstance(kind, str) and kind in KINDS:
         return kind
     hint = suggestion(kind, KINDS)
@@ -58,17 +58,17 @@ def _shipped(kind: str, path: Path) -> Shipped:
     root = read_document(path, faults, {})
     if root is None:
         raise InvalidInput(faults.reported)
-    held = root.plain()
-    title = str(held.get("title") or held.get("name") or "")
-    if "estimate" in held:
+    content = root.plain()
+    title = str(content.get("title") or content.get("name") or "")
+    if "estimate" in content:
         title += " (estimate)"
-    return Shipped(kind, path.stem, title, sources_in(held))
+    return Shipped(kind, path.stem, title, sources_in(content))
 
 
-def sources_in(held: Mapping[str, Any]) -> tuple[str, ...]:
-    """Where the values of a file come from, as it says, a line each."""
-    coefficients = held.get("coefficients", ())
-    parts = (held, *(coefficients if isinstance(coefficients, list) else ()))
-    sources = held.get("sources") or [own["source"] for own in parts if "source" in own]
+def sources_in(content: Mapping[str, Any]) -> tuple[str, ...]:
+    """Sources of the values of a file, as stated in it, a line each."""
+    coefficients = content.get("coefficients", ())
+    parts = (content, *(coefficients if isinstance(coefficients, list) else ()))
+    sources = content.get("sources") or [part["source"] for part in parts if "source" in part]
     listed = sources if isinstance(sources, list) else [sources]
     return tuple(" ".join(str(s).split()) for s in listed)

@@ -1,4 +1,4 @@
-"""A table of a support over speed, read from a CSV file into the keys it stands for.
+"""Read a table of a support over speed from a CSV file into the keys that it replaces.
 
 The first line names the columns, each with its unit: ``speed [rpm], stiffness.yy [N/um],
 damping.yy [N s/m]``, between commas, semicolons or tabs. Further lines hold plain numbers; empty
@@ -23,7 +23,7 @@ _ALLOWED = "speed [rpm], stiffness.yy [N/um], damping.yy [N s/m] and the like"
 
 
 def tabled(support: Node, path: Path, faults: Faults, contents: dict[Path, bytes]) -> None:
-    """Puts the columns of the CSV file at ``path`` into the support that names it as its table."""
+    """Put the columns of the CSV file at ``path`` into the support that names it as its table."""
     text = read_text(path, faults, contents)
     if text is None:
         return
@@ -48,7 +48,7 @@ def tabled(support: Node, path: Path, faults: Faults, contents: dict[Path, bytes
 
 
 def _columns(rows: list[Row], file: str, faults: Faults) -> list[tuple[tuple[str, ...], str]]:
-    """The way to the key of every column, and its unit; nothing where the file is no table."""
+    """Path of the key and unit of every column; empty if the file is not a table."""
     if not rows:
         faults.add(Fault(file, 0, 0, "", f"holds no table: allowed: columns {_ALLOWED}"))
         return []

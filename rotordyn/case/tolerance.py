@@ -1,4 +1,4 @@
-"""A tolerance as people write it, held against the value that a case has at its path.
+"""Tolerances in text form, checked against the value of a case at their path.
 
 ``± 5 %`` is a share of the value, ``± 2 um`` and ``+3/-2 deg`` are differences, ``24..28 deg``
 ends, ``factor 2`` half to double, ``least..most`` words.
@@ -29,18 +29,18 @@ TIMES = re.compile(rf"factor\s+({NUMBER})")
 WORDS = re.compile(r"([A-Za-z]\w*)\s*\.\.\s*([A-Za-z]\w*)")
 FORMS = "allowed: '± 5 %', '± 2 um', '+3/-2 deg', '24..28 deg', 'factor 2', 'least..most'"
 NUMBER_AS_SUCH = Quantity("number")
-LEAST = 1e-12  # of the value: narrower is no tolerance
-SEARCHED = 1e-6  # of the way between both ends: an end that near to a bound is the bound
+LEAST = 1e-12  # least width over the value
+SEARCHED = 1e-6  # distance from a bound, over the width, that counts as on the bound
 
 
 @dataclass(frozen=True, slots=True)
 class Tolerance:
     """An uncertain number.
 
-    ``path`` and ``text`` as written. ``ends``: by each path that it moves, lowest, nominal and
-    highest value (a row of numbers where the value is one). ``nominal``: share of the way from the
-    lowest to the highest at which the case stands; ``log``: along ratios. ``unit``: SI;
-    ``quantity``: what it is, with its range. ``beside``: what else is given wherever it stands.
+    ``path`` and ``text`` as written. ``ends``: lowest, nominal and highest value (tuples if the
+    value is a list) by each path that it changes. ``nominal``: position of the value of the case
+    between lowest (0) and highest (1); ``log``: interpolated by ratios. ``unit``: SI; ``quantity``
+    with its range. ``beside``: further changes by path that go with any value.
     """
 
     path: str
@@ -53,26 +53,26 @@ class Tolerance:
     beside: Mapping[str, Any] = field(default_factory=dict)
 
     def at(self, share: float) -> dict[str, Any]:
-        """Values by path, as ``vary`` takes them, at a share of the way from lowest to highest."""
+        """Values by path, as ``vary`` takes them, at a share from lowest (0) to highest (1)."""
         values = {path: self._between(*each, share) for path, each in self.ends.items()}
         return {**values, **self.beside}
 
     def within(self, low: float, high: float, text: str) -> Tolerance:
-        """From one share of its way to another, between which the case stands."""
+        """Reduce the tolerance to shares ``low`` to ``high``, which enclose the nominal value."""
         ends = {}
         for path, (least, nominal, most) in self.ends.items():
             at = [self._between(least, nominal, most, share) for share in (low, high)]
-            if isinstance(least, float):  # where the search for the last machine met a bound
+            if isinstance(least, float):  # the search for the last valid value may have met a bound
                 at = [_on_bound(end, self.quantity, SEARCHED * (most - least)) for end in at]
             ends[path] = (at[0], nominal, at[1])
         return replace(self, text=text, ends=ends, nominal=(self.nominal - low) / (high - low))
 
     def _between(self, low: Any, nominal: Any, high: Any, share: float) -> Any:
-        if isinstance(low, str):  # each of the three words as often
+        if isinstance(low, str):  # three words, equally likely
             return (low, nominal, high)[min(int(3.0 * share), 2)]
         if isinstance(low, tuple):
-            every = zip(low, nominal, high, strict=True)
-            return tuple(self._between(*each, share) for each in every)
+            triples = zip(low, nominal, high, strict=True)
+            return tuple(self._between(*each, share) for each in triples)
         if isinstance(low, int):
             return min(low + int(share * (high - low + 1)), high)
         if share == self.nominal:
@@ -82,7 +82,7 @@ class Tolerance:
         return low + share * (high - low)
 
     def shown(self, path: str) -> str:
-        """Lowest to highest value at a path that it moves, in the unit of its range."""
+        """Text of lowest and highest value at a path, in the unit of the range."""
         low, _, high = self.ends[path]
         pairs = zip(low, high, strict=True) if isinstance(low, tuple) else [(low, high)]
         ends = [[self.quantity.as_bounds(end) for end in pair] for pair in pairs]
@@ -90,13 +90,13 @@ class Tolerance:
 
     @property
     def _first(self) -> list[Any]:
-        """Lowest, nominal and highest value of the first path, of a row its first ones."""
+        """Lowest, nominal and highest value at the first path, of the first item of a list."""
         ends = next(iter(self.ends.values()))
         return [end[0] if isinstance(end, tuple) else end for end in ends]
 
     @property
     def levels(self) -> int:
-        """How many values there are, each as likely; 0: any number between the ends."""
+        """Number of equally likely discrete values; 0 if continuous."""
         low, _, high = self._first
         if isinstance(low, str):
             return 3
@@ -104,28 +104,28 @@ class Tolerance:
 
     @property
     def width(self) -> float:
-        """From the lowest to the highest value [SI], of the first path; NaN of words."""
+        """Width at the first path [SI]; NaN for words."""
         low, _, high = self._first
         return math.nan if isinstance(low, str) else float(high - low)
 
     @property
     def value(self) -> float:
-        """Nominal value [SI], of the first path; NaN of words."""
+        """Nominal value at the first path [SI]; NaN for words."""
         nominal = self._first[1]
         return math.nan if isinstance(nominal, str) else float(nominal)
 
 
 def tolerance(case: Case, path: str, text: str, *, beyond: bool = False) -> Tolerance:
-    """A tolerance of the value at a dotted path of ``case``; ``beyond``: it may leave the range.
+    """Read a tolerance of the value at a dotted path of ``case``; ``beyond``: may leave the range.
 
     Raises
     ------
-    InvalidInput : the path leads nowhere or to no number, the text is no tolerance of such a value,
-        or leaves its range, or is of no width; one sentence that does not repeat the path
+    InvalidInput : the path does not exist or holds no number, or the text is no tolerance of it,
+        leaves its range, or has no width; one sentence that does not repeat the path
     """
-    found = _found(case, path)
+    values = _found(case, path)
     ends, share, log, unit, quantity = {}, 0.5, False, "", None
-    for place, value, annotation in found:
+    for place, value, annotation in values:
         ends[place], share, log = _ends(value, annotation, text, beyond)
         quantity = quantity_of(annotation)
         unit = "" if quantity is None or isinstance(value, str) else quantity.coherent_unit
@@ -133,14 +133,14 @@ def tolerance(case: Case, path: str, text: str, *, beyond: bool = False) -> Tole
 
 
 def _found(case: Case, path: str) -> list[tuple[str, Any, Any]]:
-    found = places(case, path)
-    if found:
-        return found
+    values = places(case, path)
+    if values:
+        return values
     for room in ("spindle", "bearing", "conditions"):
         if places(case, f"{room}.{path}"):
             raise InvalidInput(f"unknown path '{path}' (did you mean {room}.{path}?)")
     try:
-        vary(case, {path: None})  # which says where the path goes astray
+        vary(case, {path: None})  # raises with the part of the path that does not exist
     except InvalidInput as refusal:
         raise InvalidInput(str(refusal).removeprefix(f"{path}: ")) from None
     raise InvalidInput("leads nowhere in this case")
@@ -149,7 +149,7 @@ def _found(case: Case, path: str) -> list[tuple[str, Any, Any]]:
 def _ends(
     value: Any, annotation: Any, text: str, beyond: bool
 ) -> tuple[tuple[Any, Any, Any], float, bool]:
-    """Lowest, nominal and highest value, the share of the nominal one, whether along ratios."""
+    """Lowest, nominal and highest value, share of the nominal one, and whether by ratios."""
     if isinstance(value, tuple) and value and all(isinstance(each, float) for each in value):
         rows = [_ends(each, annotation, text, beyond) for each in value]
         columns = tuple(zip(*(row[0] for row in rows), strict=True))
@@ -161,12 +161,12 @@ def _ends(
         if low != round(low) or high != round(high):
             raise InvalidInput(f"'{text}': whole numbers are needed, such as ± 1")
         return (int(low), value, int(high)), (value - low) / (high - low), False
-    way = math.log(value / low) / math.log(high / low) if log else (value - low) / (high - low)
-    return (low, value, high), way, log
+    share = math.log(value / low) / math.log(high / low) if log else (value - low) / (high - low)
+    return (low, value, high), share, log
 
 
 def _limits(value: Any, annotation: Any, text: str, beyond: bool) -> tuple[float, float, bool]:
-    """Lowest and highest number, held against the value and its range."""
+    """Lowest and highest number, checked against the value and its range."""
     if isinstance(value, bool) or not isinstance(value, float | int):
         what = "is not given in this case" if value is None else f"is no number: {shown(value)}"
         raise InvalidInput(f"{what}; a tolerance needs one")
@@ -190,7 +190,7 @@ def _limits(value: Any, annotation: Any, text: str, beyond: bool) -> tuple[float
 
 
 def _on_bound(end: float, quantity: Quantity, apart: float = 0.0) -> float:
-    """The bound itself where sums such as 57° + 3° meet it but for rounding, or a search."""
+    """Return the bound if ``end`` meets it to within rounding or a search, else ``end``."""
     bounds = [quantity.low] * bool(quantity.at_least) + [quantity.high] * bool(quantity.at_most)
     near = (b for b in bounds if abs(end - b) <= max(LEAST * max(abs(b), abs(end)), apart))
     return next(near, end)
@@ -211,7 +211,7 @@ def _words(value: str, annotation: Any, text: str) -> tuple[str, str, str]:
 
 
 def _numbers(value: float, quantity: Quantity, text: str) -> tuple[float, float, bool]:
-    """Lowest and highest value [SI], and whether they are ratios of the nominal one."""
+    """Lowest and highest value [SI], and whether they were given as ratios."""
     apart = units.DIFFERENCE.get(quantity.kind, quantity.kind)
     if match := TIMES.fullmatch(text):
         by = float(match[1])
@@ -236,7 +236,7 @@ def _numbers(value: float, quantity: Quantity, text: str) -> tuple[float, float,
 
 
 def _difference(value: float, number: str, unit: str, kind: str) -> float:
-    """A difference [SI]; in percent a share of the value."""
+    """Difference [SI] from text; percentages refer to the value."""
     if unit == "%":
         return abs(value) * float(number) / 100.0
     return units.parse(f"{number} {unit}", kind)

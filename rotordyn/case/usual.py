@@ -1,4 +1,4 @@
-"""What is usually uncertain of a spindle or a bearing: ``uncertain: as usual``.
+"""Usual uncertainties of a spindle or a bearing: ``uncertain: as usual``.
 
 Each entry has its source; those that are assumptions say so (docs/howto/intervals.md).
 """
@@ -15,8 +15,8 @@ from rotordyn.case.varied import places
 
 THESIS = "D. Noël, doctoral thesis, 2013, III.1.3.3"
 ASSUMED = "assumption"
-# The two kinematic hypotheses whose friction a race can transmit; sharing by either race alone,
-# between which the others lie.
+# The two kinematic hypotheses whose required friction a race can transmit; moment sharing by one
+# race alone, which bounds the other choices.
 HYPOTHESES: Mapping[str, tuple[str, ...]] = {
     "conditions.kinematics": ("hybrid", "outer"),
     "conditions.moment_sharing": ("equal", "outer", "inner"),
@@ -24,7 +24,7 @@ HYPOTHESES: Mapping[str, tuple[str, ...]] = {
 
 
 class Usual(NamedTuple):
-    """A tolerance of whatever a case has at ``path``, and where it comes from."""
+    """A usual tolerance of the value at ``path``, and its source."""
 
     path: str
     text: str
@@ -68,41 +68,41 @@ OF_BEARING = (
     Usual("bearing.outer_conformity", "± 1 %", THESIS),
     Usual("conditions.friction", "± 30 %", ASSUMED),
 )
-APART = ".sleeves.*"  # items that are not alike: each of them has a tolerance of its own
+APART = ".sleeves.*"  # items that vary independently: each has a tolerance of its own
 
 
 def usual_of(case: Case) -> Iterator[Usual]:
-    """The entries that ``case`` has something at; items of one maker move together."""
+    """Yield the entries that apply to ``case``; items of one maker vary together."""
     listed = OF_BEARING if case.bearing is not None else OF_SPINDLE
     for entry in listed:
-        found = [(path, value) for path, value, _ in places(case, entry.path) if _uncertain(value)]
-        found = [(path, value) for path, value in found if path not in ground_plays(case, [path])]
+        values = [(path, value) for path, value, _ in places(case, entry.path) if _uncertain(value)]
+        values = [(path, value) for path, value in values if path not in ground_plays(case, [path])]
         if case.spindle is not None and case.spindle.arrangement is not None:
             made = f"spindle.sleeves.{case.spindle.arrangement.name}."
-            found = [(path, value) for path, value in found if not path.startswith(made)]
-        if not found:
+            values = [(path, value) for path, value in values if not path.startswith(made)]
+        if not values:
             continue
-        together = len(found) == len(places(case, entry.path)) and APART not in entry.path
-        for path in [entry.path] if together else [path for path, _ in found]:
+        together = len(values) == len(places(case, entry.path)) and APART not in entry.path
+        for path in [entry.path] if together else [path for path, _ in values]:
             yield entry._replace(path=path)
 
 
-def ground_plays(case: Case, paths: Iterable[str], held: Set[str] = frozenset()) -> dict[str, Any]:
-    """Changes by path that hold the axial play of four-point bearings whose inside lies at
-    ``paths`` and is given by a contact angle, but for those angles that are ``held``: rings are
-    ground to the play, whatever the radii of their grooves, and the angle follows."""
+def ground_plays(case: Case, paths: Iterable[str], kept: Set[str] = frozenset()) -> dict[str, Any]:
+    """Changes by path that keep the axial play of four-point bearings with values at ``paths`` that
+    are defined by a contact angle, unless the angle is among ``kept``: rings are ground to the
+    play, whatever their groove radii, and the angle follows."""
     changes: dict[str, Any] = {}
     for model in dict.fromkeys(path.rpartition(".")[0] for path in paths):
         for at, bearing, _ in places(case, model) if model else ():
             angle = f"{at}.contact_angle"
             if isinstance(bearing, FourPointBallBearing) and bearing.contact_angle is not None:
                 play = {angle: None, f"{at}.axial_play": bearing.plays[1]}
-                changes |= play if angle not in held else {}
+                changes |= play if angle not in kept else {}
     return changes
 
 
 def _uncertain(value: Any) -> bool:
-    """Something that has a tolerance: a number other than zero, some of them, a word."""
+    """Whether a value can have a tolerance: a nonzero number, a list of these, a word."""
     if isinstance(value, tuple):
         return bool(value) and all(map(_uncertain, value))
     if isinstance(value, float | int) and not isinstance(value, bool):

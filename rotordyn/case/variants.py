@@ -1,5 +1,4 @@
-"""The variants of a case: the same file with some of its entries replaced, or with one of several
-tools each."""
+"""Variants of a case: the same file with some entries replaced, or with one of several tools."""
 
 from __future__ import annotations
 
@@ -13,31 +12,30 @@ _MERGED = ("override", "references")
 
 
 def tools_compared(root: Node, faults: Faults) -> Node:
-    """The case in ``root`` with a variant for each of its ``tools`` in place of these."""
+    """Replace ``tools`` of the case in ``root`` by one variant for each."""
     tools = root.child("tools")
     if tools is None:
         return root
-    held = {key: value for key, value in root.value.items() if key != "tools"}
+    content = {key: value for key, value in root.value.items() if key != "tools"}
     for key in ("tool", "compare"):
-        if key in held:
+        if key in content:
             faults.at_key(root.at(key), "given beside tools, which are compared: leave one out")
-            return replace(root, value=held)
+            return replace(root, value=content)
     if not isinstance(tools.value, list) or not tools.value:
         faults.at(tools, "not a list of tools: allowed: names or paths, at least one")
-        return replace(root, value=held)
+        return replace(root, value=content)
     variants: dict[str, Node] = {}
     for number, item in enumerate(tools.value, start=1):
         name = Path(item.value).stem if isinstance(item.value, str) else f"tool {number}"
         if name in variants:
             faults.at(item, f"tool given twice: '{name}'")
         variants[name] = replace(item, value={"tool": item})
-    held["tool"], held["compare"] = tools.value[0], replace(tools, value=variants)
-    return replace(root, value=held)
+    content["tool"], content["compare"] = tools.value[0], replace(tools, value=variants)
+    return replace(root, value=content)
 
 
 def unprefixed(root: Node, faults: Faults) -> Node:
-    """The case in ``root``, the paths of its overrides without ``spindle.`` (``bearing.``) before
-    them: files may write either."""
+    """Remove the optional prefix ``spindle.`` (``bearing.``) from the paths of overrides."""
     tree = root.copy()
     machine = "spindle" if root.child("spindle") is not None else "bearing"
     for holder in (tree, *tree.entries("compare").values()):
@@ -59,7 +57,7 @@ def _cut(holder: Node, machine: str, faults: Faults) -> None:
 
 
 def variant_trees(root: Node) -> dict[str, Node]:
-    """By name, the tree that each entry of ``compare`` makes of the case in ``root``.
+    """Tree of each variant in ``compare`` of the case in ``root``, by name.
 
     Machine and title are replaced; overrides are merged path by path, conditions key by key at any
     depth; references are added. Every node keeps its place in the file.

@@ -1,4 +1,4 @@
-"""In what cases differ: the values at dotted paths that variants do not share."""
+"""Values at dotted paths of a case, and those in which cases differ."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ from rotordyn.quantity import HIDDEN, Quantity
 from rotordyn.units import KINDS, parse_unit
 
 OF_CASES = ("spindle", "bearing", "conditions")
-APART = (("name",), ("title",), ("references",))  # which no result depends on
+APART = (("name",), ("title",), ("references",))  # no result depends on these
 Leaf = tuple[Any, Quantity | None]
 
 
 @dataclass(frozen=True, slots=True)
 class Varied:
     """A ``path`` as ``vary`` takes it, and the value of every case there: numbers in ``unit``, None
-    where a case has no such path."""
+    if a case lacks the path."""
 
     path: str
     unit: str
@@ -33,20 +33,20 @@ class Varied:
 
     @property
     def label(self) -> str:
-        """Path and unit, as of a column."""
+        """Path with unit, as a heading."""
         return f"{self.path} [{self.unit}]" if self.unit else self.path
 
     @property
     def numeric(self) -> bool:
-        """Whether every case has a finite number there."""
+        """Whether every case has a finite number at the path."""
         kinds = (int, float)
         numbers = [v for v in self.values if isinstance(v, kinds) and not isinstance(v, bool)]
         return len(numbers) == len(self.values) and all(map(math.isfinite, numbers))
 
 
 def varied(cases: Sequence[Case]) -> tuple[Varied, ...]:
-    """What differs among the machines and conditions of ``cases``, in the order of their fields;
-    names and titles are no difference."""
+    """Differences between the machines and conditions of ``cases``, in the order of the fields;
+    names and titles do not count."""
     leaves = [dict(_leaves(case)) for case in cases]
     paths = dict.fromkeys(chain.from_iterable(leaves))
     rows = ((path, [values.get(path, (None, None)) for values in leaves]) for path in paths)
@@ -56,31 +56,31 @@ def varied(cases: Sequence[Case]) -> tuple[Varied, ...]:
 
 
 def unlike(case: Case, wanted: Case) -> dict[str, Leaf]:
-    """Values of another case, with their quantities, by their paths where ``case`` has not these;
-    names and titles are no difference."""
-    held = dict(_leaves(case))
+    """Values and quantities of the case ``wanted`` by path, where ``case`` differs; names and
+    titles do not count."""
+    present = dict(_leaves(case))
     absent = (None, None)
-    leaves = {**dict.fromkeys(held, absent), **dict(_leaves(wanted))}
-    return {path: leaf for path, leaf in leaves.items() if held.get(path, absent)[0] != leaf[0]}
+    leaves = {**dict.fromkeys(present, absent), **dict(_leaves(wanted))}
+    return {path: leaf for path, leaf in leaves.items() if present.get(path, absent)[0] != leaf[0]}
 
 
 def found_at(case: Case, path: str, *, absent: bool = False) -> list[tuple[Any, Any]]:
-    """Values at a dotted path as ``vary`` takes it, and how each is declared; several where it has
-    ``*``, none where it leads nowhere. ``absent``: also what would be within what is not there."""
+    """Values and annotations at a dotted path as ``vary`` takes it; several with ``*``, none if it
+    does not exist. ``absent``: also fields inside absent descriptions."""
     return [(value, annotation) for _, value, annotation in places(case, path, absent=absent)]
 
 
 def places(case: Case, path: str, *, absent: bool = False) -> list[tuple[str, Any, Any]]:
-    """The same, each with its own path: what ``*`` stands for is written out."""
-    found = _at(case, tuple(path.split(".")), None, (), absent)
-    return [(".".join(way), value, annotation) for way, value, annotation in found]
+    """Like ``found_at``, each with its own path in which ``*`` is replaced."""
+    matches = _at(case, tuple(path.split(".")), None, (), absent)
+    return [(".".join(way), value, annotation) for way, value, annotation in matches]
 
 
 def _at(
-    value: Any, steps: Steps, annotation: Any, gone: Steps, absent: bool
+    value: Any, steps: Steps, annotation: Any, done: Steps, absent: bool
 ) -> Iterator[tuple[Steps, Any, Any]]:
     if not steps:
-        yield gone, value, annotation
+        yield done, value, annotation
         return
     common = common_at(value, steps)
     below = [*_below(value, annotation)]
@@ -91,11 +91,11 @@ def _at(
         for way, inner, inside in below:
             fits = all(step in ("*", key) for step, key in zip(ahead, way, strict=False))
             if fits and len(ahead) >= len(way):
-                yield from _at(inner, ahead[len(way) :], inside, (*gone, *way), absent)
+                yield from _at(inner, ahead[len(way) :], inside, (*done, *way), absent)
 
 
 def _below(value: Any, annotation: Any) -> Iterator[tuple[tuple[str, ...], Any, Any]]:
-    """What a value holds: the way there, what it is, how it is declared."""
+    """Yield path, value and annotation of all parts of a value."""
     if is_dataclass(value):
         kind: Any = type(value)
         keys = {field.keys for field in fields_of(kind)}
@@ -123,7 +123,7 @@ def _leaves(case: Case) -> Iterator[tuple[str, Leaf]]:
 
 
 def _within(path: str, value: Any, annotation: Any) -> Iterator[tuple[str, Leaf]]:
-    """Every value at the end of a path, with its quantity."""
+    """Yield every leaf value below ``path`` with its quantity."""
     fields = is_dataclass(value)
     if not (fields or isinstance(value, Mapping | tuple)):
         yield path, (value, quantity_of(annotation))
@@ -144,8 +144,8 @@ def _varied(path: str, row: Sequence[Leaf]) -> Varied:
 
 
 def usual_unit(quantity: Quantity, values: Sequence[float]) -> str:
-    """A usual unit in which the largest value is between 1 and 1000, if there is one; rpm of a
-    speed, whatever its size."""
+    """Usual unit in which the largest value lies between 1 and 1000, if there is one; rpm for any
+    speed."""
     units = KINDS[quantity.kind]
     if quantity.kind == "speed":
         return units[0]

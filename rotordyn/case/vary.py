@@ -1,4 +1,4 @@
-"""Other values at dotted paths of a frozen description: ``"spindle.sleeves.front.stop_travel"``."""
+"""Change values at dotted paths of a frozen description (``"spindle.bearings.a.station"``)."""
 
 from __future__ import annotations
 
@@ -40,14 +40,14 @@ from rotordyn.quantity import Choice, suggestion
 
 D = TypeVar("D")
 LONGEST = 1000  # characters of a path
-MODELS = (Spindle, BallBearing, Tool)  # which are given whole
+MODELS = (Spindle, BallBearing, Tool)  # can only be given as a whole
 OF_CLASS = ("arrangement", "preload", "class")
-NO_KEYS = ("tool", "variants")  # what paths name of a case that is no key of its file
+NO_KEYS = ("tool", "variants")  # fields of a case that paths may name though files have no such key
 
 
 @dataclass(frozen=True, slots=True)
 class _Change:
-    """A new value, the whole path to it as given, and what of the path is still to go."""
+    """A new value, the whole path to it as given, and the remaining ``steps`` of the path."""
 
     value: object
     path: str
@@ -82,7 +82,7 @@ def vary(description: D, changes: Mapping[str, object]) -> D:
 
 
 def changed(description: D, changes: Mapping[str, object]) -> D:
-    """The same without a digest of its own: that of what was changed."""
+    """Like ``vary``, but the digest stays that of the original case."""
     if not is_dataclass(description) or isinstance(description, type):
         raise InvalidInput(f"vary takes a description, such as a Case: given {shown(description)}")
     if not isinstance(changes, Mapping):
@@ -95,7 +95,7 @@ def changed(description: D, changes: Mapping[str, object]) -> D:
 
 
 def _of_variants(case: Case, changes: Sequence[_Change]) -> list[_Change]:
-    """The same changes for every variant of ``case``."""
+    """Repeat the changes for every variant of ``case``."""
     if not case.variants:
         return []
     inner = [change for change in changes if change.steps[0] not in ("variants", "name", "title")]
@@ -111,13 +111,13 @@ def _change(path: object, value: object) -> _Change:
 
 
 def _signed(case: Any) -> Any:
-    """A case that was changed is not what its files hold: its digest says so."""
+    """Give a changed case a digest of its own, as its files no longer define it."""
     text = f"{case.digest} {replace(case, files=(), digest='')!r}"
     return replace(case, digest=hashlib.sha256(text.encode()).hexdigest())
 
 
 def _value(annotation: Any, old: Any, changes: Sequence[_Change]) -> Any:
-    """``old`` after ``changes``, in their order."""
+    """Apply ``changes`` to ``old`` in their order."""
     for index, change in enumerate(changes):
         if not change.steps:
             return _value(annotation, _taken(annotation, change), changes[index + 1 :])
@@ -166,25 +166,25 @@ def _fields(old: Any, changes: Sequence[_Change]) -> Any:
     if isinstance(old, BearingSeat):
         whole = [change.value for change in groups.get("bearing", ()) if not change.steps]
         if any(each != old.bearing for each in whole):
-            new |= {"model": "", "preloads": ()}  # of the one that was there
-    if isinstance(own := new.get("arrangement"), BearingSet):
-        turned = own.turned(old.seats)
+            new |= {"model": "", "preloads": ()}  # of the one that was result
+    if isinstance(arrangement := new.get("arrangement"), BearingSet):
+        turned = arrangement.turned(old.seats)
         new["seats"] = _value(fields["seats"].annotation, turned, groups.setdefault("seats", []))
     made = _made(partial(replace, old), new, changes)
     for name, value in new.items():
-        there = getattr(made, name)
-        if there is not value and there != value:
-            _require_kept(fields[name].annotation, there, groups[name])
+        result = getattr(made, name)
+        if result is not value and result != value:
+            _require_kept(fields[name].annotation, result, groups[name])
     return made
 
 
 def _of_class(old: Any, change: _Change) -> _Change:
-    """A maker's class of the preload of a set as the force that its bearings print for it."""
-    own = old.arrangement if isinstance(old, Spindle) else None
-    if own is None or change.steps != OF_CLASS:
+    """Replace a preload class of a set by the force that the models of its bearings list."""
+    arrangement = old.arrangement if isinstance(old, Spindle) else None
+    if arrangement is None or change.steps != OF_CLASS:
         return change
-    held = [seat for seat in old.seats if seat.name in own.bearings]
-    printed = [dict(zip(CLASSES, seat.preloads, strict=False)) for seat in held]
+    seats = [seat for seat in old.seats if seat.name in arrangement.bearings]
+    printed = [dict(zip(CLASSES, seat.preloads, strict=False)) for seat in seats]
     forces = {each.get(str(change.value)) for each in printed}
     force = forces.pop() if len(forces) == 1 else None
     if force is None:
@@ -195,11 +195,11 @@ def _of_class(old: Any, change: _Change) -> _Change:
     return replace(change, value=force, steps=(*OF_CLASS[:-1], "class_force"))
 
 
-def _require_kept(annotation: Any, there: Any, changes: Sequence[_Change]) -> None:
-    """What stands ``there`` after ``changes`` has their values, whatever else it was given."""
-    if _value(annotation, there, changes) == there:
+def _require_kept(annotation: Any, result: Any, changes: Sequence[_Change]) -> None:
+    """Raise if the ``result`` of all changes lacks one of them, since it follows from others."""
+    if _value(annotation, result, changes) == result:
         return
-    undone = (each for each in changes if _value(annotation, there, [each]) != there)
+    undone = (each for each in changes if _value(annotation, result, [each]) != result)
     raise next(undone, changes[0]).refused(
         "changes nothing: what stands there follows from others of its keys, as the sleeve of a "
         "set from its arrangement; change those"
@@ -215,7 +215,7 @@ def _made(kind: Callable[..., Any], values: Mapping[str, Any], changes: Sequence
 
 
 def _begun(kinds: Sequence[type], changes: Sequence[_Change]) -> Any:
-    """What was absent, of the kind that has the keys it is given, with its other defaults."""
+    """Create an absent value: the kind whose keys match best, other fields at their defaults."""
     keys = {change.steps[0] for change in changes}
     by_kind = {kind: {f.keys[0]: f for f in declared(kind) if f.keys} for kind in kinds}
     kind = max(by_kind, key=lambda each: len(keys & by_kind[each].keys()))
@@ -238,7 +238,7 @@ def _begun(kinds: Sequence[type], changes: Sequence[_Change]) -> Any:
 def _by_field(
     fields: Sequence[Field], changes: Iterable[_Change], kind: type
 ) -> dict[str, list[_Change]]:
-    """Changes by the name of the field they lead to, whose keys are taken off them."""
+    """Group changes by the field they lead to; its keys are removed from their steps."""
     groups: dict[str, list[_Change]] = {}
     for change in changes:
         field, rest = _field(fields, change, kind)
@@ -247,7 +247,7 @@ def _by_field(
 
 
 def _ways(old: Any, change: _Change) -> list[_Change]:
-    """The change itself, or that of every item which shares what it leads to."""
+    """The change itself, or one for every item that shares the common value it leads to."""
     common = common_at(old, change.steps)
     if common is None:
         return [change]
@@ -263,29 +263,29 @@ def _ways(old: Any, change: _Change) -> list[_Change]:
 
 
 def _clamped(case: Case, field: Field, changes: Sequence[_Change]) -> Sequence[_Change]:
-    """Changes of a case with the spindle that another tool makes before those within it."""
-    mine = [change for change in changes if change.steps[0] == "tool"]
+    """Put the change of the spindle that follows from another tool before changes within it."""
+    of_tool = [change for change in changes if change.steps[0] == "tool"]
     whole = [change for change in changes if change.steps == ("spindle",)]
-    if whole:  # it is given as it is, with what is in its nose
+    if whole:  # a spindle given as a whole already contains its tool
         tool, spindle = None, _taken(Spindle, replace(whole[-1], steps=()))
     else:
         tool, spindle = case.tool, case.spindle
-    if not mine:
+    if not of_tool:
         return [*([replace(whole[0], value=None, steps=("tool",))] if whole else []), *changes]
     if spindle is None:
-        raise mine[0].refused("a tool needs a spindle: this case has none")
-    rest = [change for change in changes if change not in (*mine, *whole)]
-    new = _value(field.annotation, tool, [replace(c, steps=c.steps[1:]) for c in mine])
+        raise of_tool[0].refused("a tool needs a spindle: this case has none")
+    rest = [change for change in changes if change not in (*of_tool, *whole)]
+    new = _value(field.annotation, tool, [replace(c, steps=c.steps[1:]) for c in of_tool])
     further = any(change.steps[0] == "spindle" for change in rest)
     with unchecked() if further else nullcontext():  # checked with what else changes
-        bare = _made(lambda: spindle.without_tool(tool) if tool else spindle, {}, mine)
-        spindle = _made(lambda: bare.with_tool(new) if new else bare, {}, mine)
+        bare = _made(lambda: spindle.without_tool(tool) if tool else spindle, {}, of_tool)
+        spindle = _made(lambda: bare.with_tool(new) if new else bare, {}, of_tool)
     first = {"tool": new, "spindle": spindle}
-    return [*(replace(mine[0], value=v, steps=(key,)) for key, v in first.items()), *rest]
+    return [*(replace(of_tool[0], value=v, steps=(key,)) for key, v in first.items()), *rest]
 
 
 def _field(fields: Sequence[Field], change: _Change, kind: type) -> tuple[Field, _Change]:
-    """The field that the first steps of a path lead to, and what is still to go."""
+    """The field to which the first steps of a path lead, and the change with the remaining ones."""
     ways: dict[tuple[str, ...], Field] = {(f.name,): f for f in fields if not f.keys}
     ways |= {field.keys: field for field in fields if field.keys}
     for way, field in ways.items():
@@ -339,7 +339,7 @@ def _entries(annotation: Any, old: Mapping[Any, Any], changes: Sequence[_Change]
 
 
 def _closed(key: Any) -> list[object]:
-    """All keys a mapping may have, where its declaration lists them."""
+    """All keys that a mapping may have, if its declaration lists them."""
     if get_origin(key) is tuple:
         first, second = (_closed(part) for part in get_args(key))
         return [(row, column) for row in first for column in second]
@@ -350,7 +350,7 @@ def _closed(key: Any) -> list[object]:
 def _grouped(
     changes: Sequence[_Change], present: list[str], what: str, known: list[str] | None = None
 ) -> dict[str, list[_Change]]:
-    """Changes by the first step of their way, which is taken off them."""
+    """Group changes by their first step, which is removed from them."""
     groups: dict[str, list[_Change]] = {}
     for change in changes:
         step, rest = change.steps[0], replace(change, steps=change.steps[1:])
@@ -375,5 +375,5 @@ def _known(change: _Change, step: str, known: Iterable[str], what: str, inner: s
 
 
 def _way_to(change: _Change) -> str:
-    """The part of the path that has been gone."""
+    """The part of the path up to the current value."""
     return change.path.removesuffix(".".join(change.steps)).rstrip(".")

@@ -1,4 +1,4 @@
-"""A case written as a file: the file it was read from, with other values at some paths."""
+"""Write a case as a file: the file it was read from, with other values at some paths."""
 
 from __future__ import annotations
 
@@ -21,20 +21,20 @@ COMPARED = ("compare", "tools")
 def write_changed(
     case: Case, changes: Mapping[str, Any], path: Path, *, title: str, home: Path | None = None
 ) -> None:
-    """Write the file of ``case`` with ``changes`` to ``path``; what it compares is left out.
+    """Write the file of ``case`` with ``changes`` to ``path``; its variants are omitted.
 
-    ``changes``: dotted paths, as of ``vary``, to what a file says there. ``home``: the folder that
-    it is for, from which files are named where one can; by default they have their whole paths.
+    ``changes``: values as files write them, by dotted path as in ``vary``. ``home``: folder to
+    which file names are made relative where possible; by default they become absolute.
 
     Raises
     ------
-    InvalidInput : the case was read from no file, or the new one cannot be written
+    InvalidInput : the case was not read from a file, or the new one cannot be written
     """
     if not case.files:
         raise InvalidInput(f"case {case.name}: was read from no file, so that it cannot be written")
     source = case.files[0]
-    held = yaml.safe_load(source.read_text(encoding="utf-8"))
-    kept = {key: value for key, value in held.items() if key not in COMPARED}
+    content = yaml.safe_load(source.read_text(encoding="utf-8"))
+    kept = {key: value for key, value in content.items() if key not in COMPARED}
     whole = _renamed(kept, partial(_placed, source.parent))
     whole["title"] = title
     for dotted, value in changes.items():
@@ -43,24 +43,24 @@ def write_changed(
             whole.setdefault("override", {})[rest] = value
         else:
             _put(whole, dotted.split("."), value)
-    held = whole if home is None else _renamed(whole, partial(_near, home.resolve()))
-    text = yaml.safe_dump(held, sort_keys=False, allow_unicode=True, width=100)
+    content = whole if home is None else _renamed(whole, partial(_near, home.resolve()))
+    text = yaml.safe_dump(content, sort_keys=False, allow_unicode=True, width=100)
     try:
         path.write_text(text, encoding="utf-8", newline="\n")
     except OSError as error:
         raise InvalidInput(f"{path}: cannot be written: {error.strerror}") from None
 
 
-def _put(held: Any, steps: list[str], value: Any) -> None:
-    """Into a mapping, or a list whose items have a ``name`` or their place from 1."""
+def _put(container: Any, steps: list[str], value: Any) -> None:
+    """Set a value in a mapping, or in a list whose items have a ``name`` or an index from 1."""
     step, rest = steps[0], steps[1:]
-    key: Any = _names(held).index(step) if isinstance(held, list) else step
+    key: Any = _names(container).index(step) if isinstance(container, list) else step
     if not rest:
-        held[key] = value
+        container[key] = value
         return
-    if isinstance(held, dict) and not isinstance(held.get(key), dict | list):
-        held[key] = {}
-    _put(held[key], rest, value)
+    if isinstance(container, dict) and not isinstance(container.get(key), dict | list):
+        container[key] = {}
+    _put(container[key], rest, value)
 
 
 def _names(items: list[Any]) -> list[str]:
@@ -71,7 +71,7 @@ def _names(items: list[Any]) -> list[str]:
 
 
 def _renamed(value: Any, name: Callable[[str], str]) -> Any:
-    """The same with another name for every text in it."""
+    """Apply ``name`` to every text in a value."""
     if isinstance(value, dict):
         return {key: _renamed(each, name) for key, each in value.items()}
     if isinstance(value, list):
@@ -80,7 +80,7 @@ def _renamed(value: Any, name: Callable[[str], str]) -> Any:
 
 
 def _near(home: Path, text: str) -> str:
-    """A file of a whole path named from ``home``; not one on another drive (Windows)."""
+    """Make an absolute file name relative to ``home``, unless on another drive (Windows)."""
     if os.path.isabs(text) and os.path.isfile(text):
         with suppress(ValueError):
             return Path(os.path.relpath(text, home)).as_posix()
@@ -88,6 +88,6 @@ def _near(home: Path, text: str) -> str:
 
 
 def _placed(beside: Path, text: str) -> str:
-    """The name of a file beside the old file, from anywhere."""
+    """Make a file name relative to the old file absolute."""
     file = beside / text
     return str(file.resolve()) if file.suffix and os.path.isfile(file) else text

@@ -1,4 +1,4 @@
-"""What may be written on the command line: commands, their arguments and options."""
+"""Commands of the command line, their arguments and options."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ REPORT = "also write report.html, a page to hand on"
 
 
 def parser() -> argparse.ArgumentParser:
-    """Of every command; the function that does it is ``command`` of what is parsed."""
+    """Build the parser of all commands; its result has the function to call as ``command``."""
     whole = argparse.ArgumentParser(
         prog="rotordyn",
         description="Dynamics of high-speed machining spindles.",
@@ -81,7 +81,7 @@ def _add_studies(commands: Any) -> None:
 
 
 def _study(commands: Any, name: str, does: str) -> argparse.ArgumentParser:
-    """A command that solves many machines."""
+    """Add a command that solves many machines."""
     study: argparse.ArgumentParser = commands.add_parser(name, help=does, epilog=EXIT_CODES)
     study.add_argument("-o", "--output", metavar="DIR", help="its folder (out/<file name>)")
     study.add_argument("--workers", type=int, metavar="N", help="processes (one a processor)")

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def check(arguments: argparse.Namespace) -> int:
-    """Read a case, and say what it asks for, and what of it is rarely meant."""
+    """Read a case and print its analyses, and warnings about what is rarely intended."""
     from rotordyn.case.doubts import doubts
 
     case = rotordyn.load(arguments.case)
@@ -26,8 +26,8 @@ def check(arguments: argparse.Namespace) -> int:
     sentences = [*doubts(case)]
     for sentence in sentences:
         say(f"WARNING: {sentence}")
-    found = f"fine, with {_counted(len(sentences), 'warning')}" if sentences else "fine"
-    say(f"{arguments.case}: {found} ({speeds}; {questions}{compared})")
+    result = f"fine, with {_counted(len(sentences), 'warning')}" if sentences else "fine"
+    say(f"{arguments.case}: {result} ({speeds}; {questions}{compared})")
     return 0
 
 
@@ -36,7 +36,7 @@ def _counted(number: int, word: str) -> str:
 
 
 def new(arguments: argparse.Namespace) -> int:
-    """Write files to start from."""
+    """Write starter files."""
     from rotordyn.case.starter import write_starter
 
     case, spindle = write_starter(arguments.name, Path())
@@ -51,13 +51,13 @@ def cases(_: argparse.Namespace) -> int:
 
 
 def models(arguments: argparse.Namespace) -> int:
-    """List the library."""
+    """List the models of the library."""
     _list(rotordyn.models(arguments.kind))
     return 0
 
 
 def _list(shipped: Sequence[Shipped]) -> None:
-    """A line each: kind, name, title; below it the first source."""
+    """Print a line with kind, name and title of each, and its first source below."""
     columns = [max(len(part) for part in row) for row in zip(*map(_called, shipped), strict=True)]
     for item in shipped:
         kind, name = (f"{text:{n}}" for text, n in zip(_called(item), columns, strict=True))

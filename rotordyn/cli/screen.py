@@ -1,4 +1,4 @@
-"""A summary on a screen: what stands first of a text that a file holds in full."""
+"""Shorten a summary to a screen; a file has the full text."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ MOST_WARNINGS = 6
 
 
 def on_screen(text: str, file: Path) -> str:
-    """At most ``HEIGHT`` lines of ``text`` and the first of its warnings; where some are left out,
-    how many, and the ``file`` that has them."""
+    """At most ``HEIGHT`` lines of ``text`` and its first warnings; a note counts omitted ones and
+    names the ``file``."""
     lines = text.splitlines()
     starts = [k for k, line in enumerate(lines) if line.startswith(WARNING)]
     if len(starts) > MOST_WARNINGS:
@@ -20,6 +20,6 @@ def on_screen(text: str, file: Path) -> str:
         end = next(k for k in range(starts[-1] + 1, len(lines)) if not lines[k].startswith(" "))
         lines[starts[MOST_WARNINGS] : end] = [more]
     if len(lines) > HEIGHT:
-        left = len(lines) - HEIGHT + 1
-        lines[HEIGHT - 1 :] = [f"… and {left} more lines in {file}"]
+        omitted = len(lines) - HEIGHT + 1
+        lines[HEIGHT - 1 :] = [f"… and {omitted} more lines in {file}"]
     return "\n".join(lines)

@@ -1,4 +1,4 @@
-"""Signals that ask a command to stop: all of them end it as Ctrl-C does."""
+"""Signals that stop a command: all of them end it as Ctrl-C does."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ import threading
 
 from rotordyn.allowance import ASKED
 
-LATER = 0.05  # s after which what swallowed Ctrl-C has ended
+LATER = 0.05  # s, delay of a second attempt after a swallowed Ctrl-C
 
 
 def heed_signals() -> None:
-    """Stop in good order when asked to; Windows has no SIGHUP, and nohup ignores it."""
+    """Install handlers for an orderly stop; Windows has no SIGHUP, and nohup ignores it."""
     for name in ("SIGTERM", "SIGHUP"):
         number = getattr(signal, name, None)
         if number is not None and signal.getsignal(number) == signal.SIG_DFL:
@@ -25,8 +25,8 @@ def heed_signals() -> None:
 
 
 def interruption(error: BaseException | None) -> KeyboardInterrupt | None:
-    """The Ctrl-C behind ``error``, even if a library has wrapped it or, as NumPy does where it
-    compares types, put an error of its own in its place; None where there is none."""
+    """The KeyboardInterrupt behind ``error``, even if a library has wrapped or replaced it, as
+    NumPy does when it compares types; None if there is none."""
     if isinstance(error, Exception) and ASKED.is_set():
         return KeyboardInterrupt()
     while error is not None:
@@ -37,14 +37,14 @@ def interruption(error: BaseException | None) -> KeyboardInterrupt | None:
 
 
 def _stopped(*_: object) -> None:
-    """Leave the way Ctrl-C does, so that nothing half-written stays."""
+    """Raise KeyboardInterrupt, so that no incomplete files remain."""
     ASKED.set()
     raise KeyboardInterrupt
 
 
 def _heeded(lost: sys.UnraisableHookArgs) -> None:
-    """Stop once more, a little later, where Ctrl-C came within a finaliser, such as those of a
-    compiler, which Python leaves out."""
+    """Stop again a little later if Ctrl-C arrived in a finaliser, such as those of a compiler,
+    where Python ignores it."""
     if not issubclass(lost.exc_type, KeyboardInterrupt):
         sys.__unraisablehook__(lost)
         return
@@ -54,7 +54,7 @@ def _heeded(lost: sys.UnraisableHookArgs) -> None:
 
 
 def _stop_main_thread() -> None:
-    """By a signal, which wakes it where it waits; Windows has none for threads."""
+    """Stop the main thread by a signal, which also wakes it; Windows lacks signals for threads."""
     if sys.platform == "win32":
         _thread.interrupt_main(signal.SIGTERM)
     else:

@@ -48,7 +48,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _asked(arguments: argparse.Namespace) -> Case:
-    """The case, or what of it is asked for."""
+    """Load the case, restricted to the requested variant and analyses."""
     from rotordyn.job import one_variant, restricted
 
     case = rotordyn.load(arguments.case)
@@ -60,7 +60,7 @@ def _asked(arguments: argparse.Namespace) -> Case:
 
 
 def _limited(arguments: argparse.Namespace) -> AbstractContextManager[None]:
-    """What a run may take, anything where the user says yes; ended, it keeps what is finished."""
+    """Limits of time and memory of the run; none with --yes."""
     from rotordyn.allowance import LONGEST, within
 
     if arguments.yes:
@@ -72,11 +72,11 @@ def _limited(arguments: argparse.Namespace) -> AbstractContextManager[None]:
 
 
 def _formats(words: str | None) -> tuple[str, ...]:
-    """Formats of figures that the command line names.
+    """Parse the formats of figures given on the command line.
 
     Raises
     ------
-    InvalidInput : one of them is none
+    InvalidInput : an unknown format
     """
     from rotordyn.figures.style import FORMATS, USUAL_FORMATS
 
@@ -90,7 +90,7 @@ def _formats(words: str | None) -> tuple[str, ...]:
 
 
 def _told(arguments: argparse.Namespace, target: Path, delivery: Delivery) -> int:
-    """Say what a run left behind; its exit code."""
+    """Print the outcome of a run; return its exit code."""
     from rotordyn.results.text import grouped
 
     if not arguments.quiet:

@@ -1,4 +1,4 @@
-"""What is printed, on streams that lack symbols, are full or closed; a bar on terminals."""
+"""Print to streams that may lack symbols, be full or closed; a progress bar on terminals."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from rotordyn.plain import HANDLER, register
 
 
 def speak_plainly() -> None:
-    """Let streams that lack a symbol, such as µ in ASCII, print a plain word for it."""
+    """Let streams replace symbols that their encoding lacks, such as µ in ASCII."""
     register()
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
@@ -24,20 +24,20 @@ def speak_plainly() -> None:
 
 @contextmanager
 def warned_plainly() -> Iterator[None]:
-    """Warnings of Python are one sentence, without the line of the program that gave them."""
+    """Print Python warnings as one sentence, without the source line."""
     with warnings.catch_warnings():
         warnings.showwarning = lambda message, *_, **__: complain(f"warning: {message}")
         yield
 
 
 def say(text: object, end: str = "\n") -> None:
-    """Print ``text`` at once; a reader who has closed the pipe, such as ``| head``, is no error.
+    """Print ``text`` at once; a closed pipe, as of ``| head``, is no error.
 
     Raises
     ------
-    InvalidInput : standard output takes nothing, such as a file on a full disk
+    InvalidInput : standard output cannot be written, such as a file on a full disk
     """
-    if sys.stdout is None:  # closed before we began
+    if sys.stdout is None:  # closed before the start
         return
     try:
         print(_lines(text), end=end, flush=True)
@@ -48,14 +48,14 @@ def say(text: object, end: str = "\n") -> None:
 
 
 def complain(sentence: object) -> None:
-    """Print ``sentence`` as an error, if anybody can still read it."""
+    """Print ``sentence`` to standard error, if that is still open."""
     if sys.stderr is not None:
         with suppress(OSError):
             print(_lines(sentence), file=sys.stderr, flush=True)
 
 
 def _lines(text: object) -> str:
-    """Lines without characters that move the cursor, change colours or turn the direction."""
+    """Remove control characters from each line."""
     return "\n".join(map(printable, str(text).split("\n")))
 
 
@@ -63,8 +63,8 @@ def _lines(text: object) -> str:
 def bar(
     task: str, total: int | None, *, quiet: bool, timed: bool = False
 ) -> Iterator[Callable[..., None]]:
-    """A bar on the terminal, ``timed`` with the time left, moved by keywords of rich's ``update``;
-    silent where nobody watches, and without rich: work goes on without its bar."""
+    """Progress bar on the terminal, ``timed`` with the remaining time; yields rich's ``update``. No
+    bar if standard error is no terminal, or without rich."""
     if quiet or sys.stderr is None or not sys.stderr.isatty():
         yield lambda **_: None
         return

@@ -1,4 +1,4 @@
-"""Commands that solve many machines in a folder, where the same command goes on later: sweep,
+"""Commands that solve many machines in a folder, where the same command can resume: sweep,
 optimise, identify."""
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ Progress = Callable[[int, int], None]
 
 
 def sweep(arguments: argparse.Namespace) -> int:
-    """Solve a case at many points."""
+    """Solve a case at many points of its parameters."""
     from rotordyn.study.read import read_study
 
     heed_signals()
@@ -25,7 +25,7 @@ def sweep(arguments: argparse.Namespace) -> int:
 
     folder = _folder(arguments, study.case.name)
     with _resumable(arguments, folder, "points", "what is solved is kept") as progress:
-        left = deliver(
+        delivered = deliver(
             study,
             folder,
             workers=arguments.workers,
@@ -34,8 +34,8 @@ def sweep(arguments: argparse.Namespace) -> int:
             yes=arguments.yes,
             draw=not arguments.no_figures,
         )
-    _told(arguments, left.summary, left.folder)
-    return 0 if left.solved else 3
+    _told(arguments, delivered.summary, delivered.folder)
+    return 0 if delivered.solved else 3
 
 
 def optimise(arguments: argparse.Namespace) -> int:
@@ -48,7 +48,7 @@ def optimise(arguments: argparse.Namespace) -> int:
 
     folder = _folder(arguments, problem.case.name)
     with _resumable(arguments, folder, "trials", "what is tried is kept") as progress:
-        found, text = deliver(
+        optimum, text = deliver(
             problem,
             folder,
             **how,
@@ -57,11 +57,11 @@ def optimise(arguments: argparse.Namespace) -> int:
             draw=not arguments.no_figures,
         )
     _told(arguments, text, folder)
-    return 0 if found.best is not None else 3
+    return 0 if optimum.best is not None else 3
 
 
 def identify(arguments: argparse.Namespace) -> int:
-    """Find the machine that shows what was measured."""
+    """Find the machine that reproduces measurements."""
     from rotordyn.job.pages import REPORT
     from rotordyn.page.html import library
     from rotordyn.study.identification.deliver import deliver
@@ -70,11 +70,11 @@ def identify(arguments: argparse.Namespace) -> int:
     if arguments.report:
         library()
     heed_signals()
-    held = read_identification(arguments.study)
-    folder = _folder(arguments, held.case.name)
+    request = read_identification(arguments.study)
+    folder = _folder(arguments, request.case.name)
     with _resumable(arguments, folder, "searches", "searches that ended are kept") as progress:
-        found, text = deliver(
-            held,
+        identification, text = deliver(
+            request,
             folder,
             workers=arguments.workers,
             progress=progress,
@@ -83,7 +83,7 @@ def identify(arguments: argparse.Namespace) -> int:
         if arguments.report:
             rotordyn.write_report(folder, folder / REPORT)
     _told(arguments, text, folder)
-    if found.stopped:
+    if identification.stopped:
         complain(f"interrupted: the best so far; the same command goes on in {folder}")
         return 130
     return 0
@@ -97,7 +97,7 @@ def _folder(arguments: argparse.Namespace, name: str) -> Path:
 def _resumable(
     arguments: argparse.Namespace, folder: Path, counted: str, kept: str
 ) -> Iterator[Progress]:
-    """Progress of what is ``counted``, on a bar; Ctrl-C says what is ``kept`` in ``folder``."""
+    """Show the progress of what is ``counted``; on Ctrl-C, print what is ``kept`` in ``folder``."""
     try:
         with bar(counted, None, quiet=arguments.quiet, timed=True) as update:
             yield lambda done, of: update(completed=done, total=of)

@@ -1,4 +1,4 @@
-"""A results folder: numbers, tables, figures, record; whole or not at all."""
+"""Write a results folder: numbers, tables, figures, record; completely or not at all."""
 
 from __future__ import annotations
 
@@ -27,9 +27,9 @@ ENDED = "figures left out: the run was ended before; rotordyn.open and plot draw
 
 @dataclass(frozen=True, slots=True)
 class Delivery:
-    """What a run left behind: the folder, its summary, how it was solved, speeds without
-    a solution. ``moved``: the folder is not the one asked for, which is in use, or ``kept``, since
-    it holds complete results; ``stop``: what ended the run before all was solved."""
+    """Outcome of a run: folder, summary, ``plan`` (how it was solved), speeds without a solution.
+    ``moved``: the folder is another one than requested, which is in use, or ``kept`` since it holds
+    complete results; ``stop``: reason why the run ended early."""
 
     folder: Path
     summary: str
@@ -52,9 +52,9 @@ def deliver(
 ) -> Delivery:
     """Solve ``case`` and write everything into ``target``, all or nothing.
 
-    Without ``figures`` nothing is drawn, and what draws is not even loaded; ``formats``: of the
-    figures, among ``figures.style.FORMATS``; ``report``: with the page ``report.html``; ``solve``:
-    what solves it.
+    Without ``figures`` nothing is drawn, and matplotlib is not loaded; ``formats``: of the figures,
+    among ``figures.style.FORMATS``; ``report``: also write the page ``report.html``; ``solve``:
+    function that solves the case.
 
     Raises
     ------
@@ -108,7 +108,7 @@ def write(
 
 
 def _undrawn(solution: Solution, figures: bool) -> Omitted:
-    """Figures that are not begun: nobody asks for them, or the run has been ended."""
+    """Omission of all figures, if none are requested or the run was ended."""
     if not figures:
         return Omitted({"figures": "none are asked for"})
     if solution.stop is not None:
@@ -119,7 +119,7 @@ def _undrawn(solution: Solution, figures: bool) -> Omitted:
 def _drawn(
     results: SolvedResults, folder: Path, seconds: dict[str, float], formats: Sequence[str]
 ) -> tuple[dict[str, float], Omitted]:
-    """Numbers and figures, made side by side; seconds by figure, and what is missing."""
+    """Write numbers and figures in parallel; return seconds by figure, and what is missing."""
     from rotordyn.figures.draw import Drawing, load
 
     lacking = _attempted("figures", partial(load, formats))
@@ -142,7 +142,7 @@ def _drawn(
 
 
 def _too_long(figures: int, pictures: Sequence[Pictures]) -> Omitted:
-    """Figures are left out where they take more than the run may: what is solved is kept."""
+    """Omission of all figures if drawing would exceed the allowance of the run."""
     count = figures + sum(len(each.names) for each in pictures)
     try:
         require_figures(count, sum(each.count for each in pictures))
@@ -152,7 +152,7 @@ def _too_long(figures: int, pictures: Sequence[Pictures]) -> Omitted:
 
 
 def _attempted(name: str, write: Callable[[], object]) -> Omitted:
-    """Write ``name`` unless it has nothing to hold, or lacks a package of others."""
+    """Write ``name``; return its omission if it has no content or a package is missing."""
     why: str | None
     try:
         write()
@@ -167,7 +167,7 @@ def _attempted(name: str, write: Callable[[], object]) -> Omitted:
 
 
 def _plan(solution: Solution, seconds: Mapping[str, float], omitted: Omitted) -> str:
-    """How every part was solved, and how long what surrounds it took."""
+    """Text on how every part was solved, and the time of writing and drawing."""
     from rotordyn.report.plan import plan
 
     around = {
@@ -191,7 +191,7 @@ def _timed(seconds: dict[str, float], name: str) -> Iterator[None]:
 
 
 def _write_numbers(results: SolvedResults, folder: Path, seconds: dict[str, float]) -> Omitted:
-    """Numbers, tables, further files of the analyses; returns what lacks a package."""
+    """Write numbers, tables and further files of the analyses; return omissions."""
     from rotordyn.job.side_by_side import write_comparison
     from rotordyn.report.cf import about
     from rotordyn.report.interval import keep, write_interval
@@ -213,8 +213,8 @@ def _write_numbers(results: SolvedResults, folder: Path, seconds: dict[str, floa
             write_comparison(folder, results.parts)
         if results.solution.intervals:
             omitted |= _attempted("interval.nc", partial(keep, folder, results.solution.intervals))
-        for name, held in results.solution.intervals.items():
-            write_interval(folder / name, held)
+        for name, interval in results.solution.intervals.items():
+            write_interval(folder / name, interval)
     return omitted
 
 

@@ -1,4 +1,4 @@
-"""Which figures a case gets: those of its machine and of its analyses, drawn on demand."""
+"""Figures of a case: those of its machine and of its analyses, drawn on demand."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Variant = tuple[Described, Mapping[str, Any]]
 
 
 def figures(case: Described, results: Mapping[str, Any]) -> list[Job]:
-    """Name and drawing function of every figure that the results allow, the costly ones first.
+    """Name and drawing function of every figure of the results, the slowest ones first.
 
     Nothing is drawn and matplotlib is not imported before a function is called.
     """
@@ -36,21 +36,25 @@ def figures(case: Described, results: Mapping[str, Any]) -> list[Job]:
     return _titled(jobs, _heading([machine_of(case)], case.title or case.name), costs)
 
 
-def interval_figures(parts: Mapping[str, Variant], held: Mapping[str, Interval]) -> list[Job]:
-    """Bands about the headline curves of every part, and what rules its numbers."""
+def interval_figures(parts: Mapping[str, Variant], intervals: Mapping[str, Interval]) -> list[Job]:
+    """Figures of intervals: bands of the headline curves of every part, effects on numbers."""
     jobs: list[Job] = []
-    for part, sure in held.items():
+    for part, interval in intervals.items():
         case, results = parts[part]
         after = f"_{part}" if part else ""
-        found: dict[str, dict[str, Curve]] = {}
+        by_figure: dict[str, dict[str, Curve]] = {}
         for name, result in results.items():
             for key, curve in named_curves(case, name, result):
-                found.setdefault(curve.figure, {})[key] = curve
-        made: list[Job] = [(f"interval_rules{after}", partial(code("interval:rules_figure"), sure))]
-        if sure.path:
-            made.append((f"sensitivities{after}", partial(code("interval:slopes_figure"), sure)))
-        for figure, shown in found.items():
-            bands = partial(code("interval:bands_figure"), sure, shown)
+                by_figure.setdefault(curve.figure, {})[key] = curve
+        made: list[Job] = [
+            (f"interval_rules{after}", partial(code("interval:rules_figure"), interval))
+        ]
+        if interval.path:
+            made.append(
+                (f"sensitivities{after}", partial(code("interval:slopes_figure"), interval))
+            )
+        for figure, shown in by_figure.items():
+            bands = partial(code("interval:bands_figure"), interval, shown)
             made.append((f"interval_{figure}{after}", bands))
         jobs += _titled(made, _heading([machine_of(case)], case.title or case.name), {})
     return jobs
@@ -59,8 +63,8 @@ def interval_figures(parts: Mapping[str, Variant], held: Mapping[str, Interval])
 def comparison_figures(
     variants: Sequence[Variant], title: str = "", scale: Scale | None = None
 ) -> list[Job]:
-    """Name and drawing function of every figure that the results of the variants allow; ``title``:
-    of the case that compares them; ``scale``: what was varied, where that is one number."""
+    """Name and drawing function of every figure of the variants; ``title`` of the case that
+    compares them; ``scale``: the varied number, if there is only one."""
     jobs: list[Job] = []
     costs: dict[str, int] = {}
     for name in in_order(*(results for _, results in variants)):
@@ -72,7 +76,7 @@ def comparison_figures(
 
 
 def _side_by_side(name: str, spec: Any, shown: Sequence[Shown]) -> Iterator[Job]:
-    """Small figures of the variants, some on a page."""
+    """Yield pages of small figures, one for each variant."""
     for panel in analysis(name).panels(spec, shown):
         for number, page in enumerate(pages(shown), start=1):
             file = panel.name if number == 1 else f"{panel.name}_{number}"
@@ -80,7 +84,7 @@ def _side_by_side(name: str, spec: Any, shown: Sequence[Shown]) -> Iterator[Job]
 
 
 def _laid_over(name: str, spec: Any, shown: Sequence[Shown], scale: Scale | None) -> Iterator[Job]:
-    """Curves of the variants over one another; values of a scale belong to all variants."""
+    """Yield figures with the curves of all variants; ``scale`` applies if all have results."""
     curves = partial(analysis(name).curves, spec)
     fitting = scale if scale is not None and len(scale.values) == len(shown) else None
     for figure in dict.fromkeys(curve.figure for curve in curves(shown[0])):
@@ -88,12 +92,12 @@ def _laid_over(name: str, spec: Any, shown: Sequence[Shown], scale: Scale | None
 
 
 def _titled(jobs: Sequence[Job], words: str, costs: Mapping[str, int]) -> list[Job]:
-    """The jobs with ``words`` at the top of each figure, the costly ones first."""
+    """Add ``words`` at the top of each figure, and put the slowest jobs first."""
     named: list[Job] = [(name, partial(titled, draw, words)) for name, draw in jobs]
     return sorted(named, key=lambda job: -costs.get(job[0], 0))
 
 
 def _heading(machines: Sequence[str], title: str) -> str:
-    """What a figure says at its top: the machine, unless variants have several, and the case."""
+    """Text at the top of a figure: machine, if it is the same for all variants, and case."""
     shared = set(machines) if len(set(machines)) == 1 else set()
     return "  |  ".join(words for words in (*shared, title) if words)

@@ -1,4 +1,4 @@
-"""The results of a case: datasets by name, what is said about them, figures, a folder of files."""
+"""Results of a case: datasets by name, summary, warnings, figures, and saving."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ DATE = "%Y-%m-%d %H:%M UTC"
 
 
 class Part(NamedTuple):
-    """One machine of a case: what was asked of it, and the results by the name of the analysis."""
+    """One machine of a case, and its results by the name of the analysis."""
 
     case: Case
     results: Mapping[str, Any]
@@ -33,7 +33,7 @@ class Part(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Origin:
-    """What a run says of itself: versions of programs, date, digest of what was read."""
+    """Provenance of a run: versions of programs, date, digest of its input."""
 
     versions: Mapping[str, str] = field(default_factory=dict)
     date: str = ""
@@ -42,16 +42,16 @@ class Origin:
 
 
 def inputs_of(case: Case) -> tuple[str, ...]:
-    """The files read, each by its folder and name."""
+    """Files read, each by its folder and name."""
     return tuple(printable("/".join(path.absolute().parts[-2:])) for path in case.files)
 
 
 class Results(Mapping[str, "xr.Dataset"]):
     """Results of a case: a mapping from the name of an analysis to its xarray Dataset.
 
-    The names are those of the case, such as ``"campbell"``; where the case has variants,
-    ``"variant/campbell"``. Datasets are in SI units with the unit of every variable in its
-    attributes, complex where a quantity is. Each is made when it is first asked for.
+    The names are those in the case, such as ``"campbell"``; with variants ``"variant/campbell"``.
+    Datasets are in SI units with the unit of every variable in its attributes; complex quantities
+    are complex. Each is made at first access.
 
     ``rotordyn.run`` solves a case and returns this; ``rotordyn.open`` reads it from a folder.
     """
@@ -59,48 +59,50 @@ class Results(Mapping[str, "xr.Dataset"]):
     @property
     @abstractmethod
     def case(self) -> Case:
-        """The case that was solved, or InvalidInput where a folder holds none that can be read."""
+        """The case that was solved; raises InvalidInput if a folder holds no readable one."""
 
     @property
     @abstractmethod
     def summary(self) -> str:
-        """All that is said of the run as plain text, as in ``summary.txt``."""
+        """Summary of the run in plain text, as in ``summary.txt``."""
 
     @property
     @abstractmethod
     def warnings(self) -> tuple[str, ...]:
-        """What a designer should know, a sentence each; led by the variant where there are any."""
+        """Warnings, a sentence each; preceded by the variant if there are any."""
 
     @property
     @abstractmethod
     def notes(self) -> tuple[str, ...]:
-        """What was chosen that changes how results read, a sentence each."""
+        """Notes on choices that affect how results are read, a sentence each."""
 
     @property
     @abstractmethod
     def held_intervals(self) -> Mapping[str, Interval]:
-        """How sure each part is, by its name; empty where that was not asked for."""
+        """Interval of each part by its name; empty if the run was without intervals."""
 
     @property
     def intervals(self) -> dict[str, xr.Dataset]:
-        """How sure the results are, of each variant by its name ("" where there are none)."""
+        """Intervals of the results by variant ("" without variants)."""
         from rotordyn.report.datasets import dataset
 
-        return {part: dataset(held) for part, held in self.held_intervals.items()}
+        return {part: dataset(interval) for part, interval in self.held_intervals.items()}
 
     @property
     def interval(self) -> xr.Dataset:
-        """How sure the results are: ranges of numbers and curves over what is uncertain.
+        """Interval of the results: ranges of numbers and curves over the uncertainties.
 
         Raises
         ------
         InvalidInput : the case was run without ``interval=True`` (``--interval``), or has variants
         """
-        held = self.intervals
-        if "" not in held:
-            instead = "each variant has its own in intervals" if held else "run the case with it"
+        intervals = self.intervals
+        if "" not in intervals:
+            instead = (
+                "each variant has its own in intervals" if intervals else "run the case with it"
+            )
             raise InvalidInput(f"no interval of the whole: {instead}")
-        return held[""]
+        return intervals[""]
 
     @property
     @abstractmethod
@@ -113,13 +115,13 @@ class Results(Mapping[str, "xr.Dataset"]):
         """Versions, date and digest of the run."""
 
     def report(self, path: str | Path) -> Path:
-        """Write one self-contained HTML page that opens without network; returns its path.
+        """Write one self-contained HTML page that opens without network; return its path.
 
-        Takes the package plotly (extra ``report``).
+        Needs the package plotly (extra ``report``).
 
         Raises
         ------
-        InvalidInput : it cannot be written; the case of an opened folder cannot be read
+        InvalidInput : the page cannot be written; the case of an opened folder cannot be read
         """
         from rotordyn.job.pages.whole import write_page
 
@@ -128,25 +130,24 @@ class Results(Mapping[str, "xr.Dataset"]):
 
     @abstractmethod
     def save(self, folder: str | Path) -> Path:
-        """Write the folder that ``rotordyn run`` writes, whole or not at all; returns its path.
+        """Write the folder that ``rotordyn run`` writes, completely or not at all; return its path.
 
-        That is a sibling, ``folder_2``, where a file of ``folder`` is open in another program
-        (Windows).
+        The path is ``folder_2`` if a file of ``folder`` is open in another program (Windows).
 
         Raises
         ------
         OutputRefused : ``folder`` holds something that is not a results folder
-        InvalidInput : it cannot be made there
+        InvalidInput : the folder cannot be created
         """
 
     @property
     @abstractmethod
     def parts(self) -> dict[str, Part]:
-        """Each machine by the name of its folder: "" where the case has no variants."""
+        """Machines by the name of their folder: "" without variants."""
 
     @abstractmethod
     def _dataset(self, name: str) -> xr.Dataset:
-        """The dataset of a name among ``_names``, made anew."""
+        """Make the dataset of a name among ``_names``."""
 
     @abstractmethod
     def _names(self) -> tuple[str, ...]:
@@ -178,7 +179,7 @@ class Results(Mapping[str, "xr.Dataset"]):
 
     @property
     def figures(self) -> tuple[str, ...]:
-        """Names of the figures that ``plot`` draws: those of the files in a results folder."""
+        """Names of the figures that ``plot`` draws, as those of the files in a results folder."""
         apart = [name for each in self.pictures() for name in each.names]
         return tuple(sorted([*self.drawings(), *apart]))
 
@@ -207,7 +208,7 @@ class Results(Mapping[str, "xr.Dataset"]):
         raise InvalidInput(f"{wanted}: there are {', '.join(self.figures) or 'none'}")
 
     def drawings(self) -> dict[str, Callable[[], Figure]]:
-        """Functions that draw, by the name of the figure; nothing is drawn yet."""
+        """Drawing functions by the name of the figure; nothing is drawn yet."""
         from rotordyn.job.figures import comparison_figures, figures, interval_figures
         from rotordyn.job.side_by_side import scale_of
 
@@ -219,17 +220,19 @@ class Results(Mapping[str, "xr.Dataset"]):
         return dict([*comparison_figures(list(parts.values()), self.case.title, scale), *sure])
 
     def pictures(self, beside: Path | None = None) -> list[Pictures]:
-        """Figures that another process draws; it runs once their context is entered.
+        """Figures drawn by another process, which starts when their context is entered.
 
-        Its files stand in ``beside``, or where the system has such files.
+        Its files are written to ``beside``, or to the folder for temporary files.
         """
         drawn = []
         for name in dict.fromkeys(name for part in self.parts.values() for name in part.results):
             made = analysis(name).pictures
             if made is not None:
                 parts = self.parts.items()
-                held = {k: (case, results[name]) for k, (case, results) in parts if name in results}
-                drawn.append(made(held, beside))
+                by_part = {
+                    k: (case, results[name]) for k, (case, results) in parts if name in results
+                }
+                drawn.append(made(by_part, beside))
         return drawn
 
     def __repr__(self) -> str:

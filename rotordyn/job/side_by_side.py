@@ -1,4 +1,4 @@
-"""Variants in one table: what was varied, the headline numbers, their changes from the first."""
+"""Table of the variants: varied values, headline numbers, their changes from the first."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from rotordyn.figures.overlays import Scale
 from rotordyn.report.tables import Column, number_cells, write_table
 from rotordyn.results.headline import Number, changes
 
-MOST_VARIED = 12  # columns of what was varied
+MOST_VARIED = 12  # columns of varied values
 Parts = Mapping[str, tuple[Case, Mapping[str, Any]]]
 
 
 def scale_of(cases: Sequence[Case]) -> Scale | None:
-    """Scale of the one number that differs among ``cases``, of several that change in step the
-    first; None where more differs."""
+    """Scale of the only number that differs among ``cases``, or of the first of several that change
+    together; None if more differs."""
     numeric = [each for each in varied(cases) if each.numeric]
     if not numeric or len(numeric) < len(varied(cases)):
         return None
@@ -29,29 +29,30 @@ def scale_of(cases: Sequence[Case]) -> Scale | None:
 
 
 def write_comparison(folder: Path, parts: Parts) -> None:
-    """``variants.csv``: a row for each variant; ``variants_change.csv``: relative changes [%]."""
+    """Write ``variants.csv``, a row for each variant, and ``variants_change.csv`` with relative
+    changes [%]."""
     cases = [case for case, _ in parts.values()]
-    found = [
+    by_variant = [
         {f"{name}: {number.heading}": number for name, number in headline_numbers(*part)}
         for part in parts.values()
     ]
-    numbers = [{name: each.value for name, each in row.items()} for row in found]
+    numbers = [{name: each.value for name, each in row.items()} for row in by_variant]
     head: list[Column] = [("variant", list(parts)), ("title", [case.title for case in cases])]
     for each in varied(cases)[:MOST_VARIED]:
         head.append((each.label, ["" if value is None else value for value in each.values]))
-    columns = [*_columns(numbers, lambda name: name), *_absent(found)]
+    columns = [*_columns(numbers, lambda name: name), *_absent(by_variant)]
     write_table(folder / "variants.csv", [*head, *columns])
     relative = [changes(values, numbers[0]) for values in numbers]
     write_table(folder / "variants_change.csv", [*head, *_columns(relative, _relative)])
 
 
 def _absent(rows: Sequence[Mapping[str, Number]]) -> list[Column]:
-    """Why cells are empty, or at which speeds there are such numbers; no column where none is."""
-    said = [
+    """Column with reasons for empty cells; none if no cell is empty."""
+    reasons = [
         " | ".join(f"{k}: {each.absent}" for k, each in row.items() if math.isnan(each.value))
         for row in rows
     ]
-    return [("absent", said)] if any(said) else []
+    return [("absent", reasons)] if any(reasons) else []
 
 
 def _columns(rows: Sequence[Mapping[str, float]], heading: Callable[[str], str]) -> list[Column]:
@@ -60,5 +61,5 @@ def _columns(rows: Sequence[Mapping[str, float]], heading: Callable[[str], str])
 
 
 def _relative(heading: str) -> str:
-    """Heading of the change of a number."""
+    """Heading of the relative change of a number."""
     return f"{heading.partition(' [')[0]}, change [%]"

@@ -1,4 +1,4 @@
-"""A case solved: its results in memory, and what became of its parts."""
+"""Results of a solved case in memory."""
 
 from __future__ import annotations
 
@@ -29,11 +29,11 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Solution:
-    """A case solved: its parts by the name of their folder, each with the case it was solved for.
+    """A solved case: ``parts`` by the name of their folder, each with its case and answers.
 
-    A case without variants is one part, named "". ``lost``: why variants have no solution;
-    ``seconds`` by what took them. ``intervals``: how sure parts are, by their names. ``stop``: what
-    ended the run before ``missing`` was solved.
+    A case without variants is one part, named "". ``lost``: reasons why variants have no solution;
+    ``seconds`` by stage; ``intervals`` by part; ``stop``: what ended the run before the analyses
+    ``missing`` were solved.
     """
 
     case: Case
@@ -46,7 +46,7 @@ class Solution:
 
     @property
     def unsolved(self) -> tuple[str, ...]:
-        """Sentences: what is missing of a run that was ended, why variants have no solution."""
+        """Sentences on what an ended run lacks, and on variants without a solution."""
         if self.stop is None:
             return self.lost
         why = str(self.stop) or "interrupted"
@@ -54,15 +54,15 @@ class Solution:
 
     @property
     def results(self) -> dict[str, Any]:
-        """Every result by its place in the files: ``analysis`` or ``variant/analysis``."""
+        """Results by their name in files: ``analysis`` or ``variant/analysis``."""
         return self.by_part(lambda answers: answers.results)
 
-    def by_part(self, held: Callable[[Answers], Mapping[str, Any]]) -> dict[str, Any]:
-        """A mapping that every part's answers have, the keys led by the name of the variant."""
+    def by_part(self, mapping: Callable[[Answers], Mapping[str, Any]]) -> dict[str, Any]:
+        """Join a ``mapping`` of the answers of all parts, keys preceded by the variant."""
         return {
             f"{part}/{key}" if part else key: value
             for part, (_, answers) in self.parts.items()
-            for key, value in held(answers).items()
+            for key, value in mapping(answers).items()
         }
 
     def sentences(self, of: Callable[[Answers], Iterable[str]]) -> tuple[str, ...]:
@@ -71,7 +71,7 @@ class Solution:
 
 
 class SolvedResults(Results):
-    """Results in memory, as solving leaves them."""
+    """Results in memory, of a solved case."""
 
     def __init__(self, solution: Solution) -> None:
         self.solution = solution
@@ -85,13 +85,13 @@ class SolvedResults(Results):
         return self.summary_with(self.notes)
 
     def summary_with(self, notes: tuple[str, ...]) -> str:
-        """The summary with these ``notes``."""
+        """Summary with the given ``notes``."""
         from rotordyn.report.interval import interval_lines
         from rotordyn.report.side_by_side import comparison_summary
         from rotordyn.report.summary import summary
 
-        held = self.held_intervals.items()
-        sure = [line for part, each in held for line in ("", *interval_lines(each, part))]
+        intervals = self.held_intervals.items()
+        sure = [line for part, each in intervals for line in ("", *interval_lines(each, part))]
         if self.case.variants:
             shown = list(self.parts.values())
             text = comparison_summary(self.case, shown, self.warnings, notes, self._lost)
@@ -116,10 +116,10 @@ class SolvedResults(Results):
 
     @cached_property
     def notes(self) -> tuple[str, ...]:
-        found = self.solution.sentences(lambda answers: answers.notes)
+        notes = self.solution.sentences(lambda answers: answers.notes)
         if self.case.uncertain is None or self.held_intervals:
-            return found
-        return (*found, "parts of the case are uncertain: run it with --interval for the ranges")
+            return notes
+        return (*notes, "parts of the case are uncertain: run it with --interval for the ranges")
 
     @cached_property
     def origin(self) -> Origin:
@@ -134,7 +134,7 @@ class SolvedResults(Results):
 
     @property
     def _lost(self) -> tuple[str, ...]:
-        """Why speeds have no solution."""
+        """Reasons why speeds have no solution."""
         return self.solution.sentences(lambda answers: unsolved(answers.results))
 
     @typed(InvalidInput, besides=["formats"])
@@ -145,15 +145,15 @@ class SolvedResults(Results):
         figures: bool = True,
         formats: Sequence[str] = USUAL_FORMATS,
     ) -> Path:
-        """Write the folder that ``rotordyn run`` writes, whole or not at all; see ``Results.save``.
+        """Write the folder that ``rotordyn run`` writes; see ``Results.save``.
 
-        Without ``figures`` nothing is drawn, and what draws is not even loaded; ``formats``: of the
+        Without ``figures`` nothing is drawn, and matplotlib is not loaded; ``formats``: of the
         figures, among ``figures.style.FORMATS``.
 
         Raises
         ------
         OutputRefused : ``folder`` holds something that is not a results folder
-        InvalidInput : it cannot be made there
+        InvalidInput : the folder cannot be created
         """
         from rotordyn.job.delivery import write
 
@@ -177,10 +177,10 @@ class SolvedResults(Results):
 
 
 def run(case: Case, progress: Progress = lambda name: None) -> SolvedResults:
-    """Solve a case: every analysis that it asks for, of every variant that it compares.
+    """Solve a case: each of its analyses, for each of its variants.
 
-    ``progress`` is called with the name of each analysis as it begins, and of a long one with how
-    far it is.
+    ``progress`` is called with the name of each analysis as it begins, and with the progress of a
+    long one.
 
     Raises
     ------
@@ -201,7 +201,7 @@ def _alone(case: Case, progress: Progress) -> Solution:
 
 
 def _finished(case: Case, answers: Answers) -> tuple[Case, tuple[str, ...]]:
-    """``case`` with the analyses that have results, and names of the others."""
+    """``case`` restricted to analyses with results, and names of the others."""
     missing = tuple(name for name in case.analyses if name not in answers.results)
     return restricted(case, tuple(answers.results)) if missing else case, missing
 

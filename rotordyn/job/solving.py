@@ -1,4 +1,4 @@
-"""The answers to a case: of one machine, or of variants side by side."""
+"""Solve a case: one machine, or all its variants."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class VariantAnswers:
-    """Answers by the name of the variant; ``failed``: why others have none at any speed; ``stop``:
-    what ended the run before all were solved, in the first one after some of its analyses."""
+    """Answers by variant; ``failed``: reasons of variants without a solution; ``stop``: what ended
+    the run early, in the first variant after some of its analyses."""
 
     answers: dict[str, Answers]
     failed: dict[str, str] = field(default_factory=dict)
@@ -36,10 +36,10 @@ def solve(
     memo: Memo | None = None,
     checks: Checks | None = None,
 ) -> Answers:
-    """Answer every question of ``case`` with frozen results; its variants are left aside.
+    """Solve all analyses of ``case``; its variants are ignored.
 
-    ``memo``: stages of cases solved before, for what they have in common; ``checks``: whether
-    errors are looked for with a finer model, as they are by default.
+    ``memo``: stages of previous cases, reused where they are the same; ``checks``: whether errors
+    are estimated by a finer model, as by default.
     """
     if case.spindle is not None:
         arguments = (case.spindle, case.conditions, case.speeds, case.analyses)
@@ -49,7 +49,7 @@ def solve(
 
 
 def solve_variants(case: Case, progress: Progress = lambda name: None) -> VariantAnswers:
-    """Answer the questions of every variant of ``case``; what does not differ is solved once.
+    """Solve all variants of ``case``; common stages are solved once.
 
     Raises
     ------
@@ -83,7 +83,7 @@ def _part(progress: Progress, variant: str, stage: str) -> None:
 
 
 def restricted(case: Case, only: tuple[str, ...]) -> Case:
-    """``case`` and its variants with only some of the analyses.
+    """Restrict ``case`` and its variants to some of the analyses.
 
     Raises
     ------
@@ -101,7 +101,7 @@ def restricted(case: Case, only: tuple[str, ...]) -> Case:
 
 
 def one_variant(case: Case, name: str) -> Case:
-    """The variant ``name`` of ``case`` as a case of its own.
+    """Return the variant ``name`` of ``case`` as a case of its own.
 
     Raises
     ------
@@ -114,7 +114,7 @@ def one_variant(case: Case, name: str) -> Case:
 
 
 def labelled(case: Case) -> dict[str, Case]:
-    """The variants of ``case`` with titles that tell them apart."""
+    """Variants of ``case`` with distinct titles."""
     titles = {name: variant.title.strip() or name for name, variant in case.variants.items()}
     count = Counter(titles.values())
     return {
@@ -124,6 +124,6 @@ def labelled(case: Case) -> dict[str, Case]:
 
 
 def unsolved(results: Mapping[str, Any]) -> tuple[str, ...]:
-    """Why speeds have no solution, each reason once, in order of speed."""
+    """Distinct reasons why speeds have no solution, in the order of speed."""
     words = [str(w) for r in results.values() for w in np.ravel(r.outcome) if str(w)]
     return tuple(dict.fromkeys(words))

@@ -1,4 +1,4 @@
-"""Results read back from a results folder."""
+"""Results read from a results folder."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ if TYPE_CHECKING:
 
 @typed(InvalidInput)
 def open(folder: str | Path) -> Results:
-    """Results of the folder that ``rotordyn run`` or ``Results.save`` has written.
+    """Open a folder that ``rotordyn run`` or ``Results.save`` has written.
 
-    Datasets are read when they are first asked for, so the folder must stay as it is until then.
-    Warnings and notes are those of the run, and ``plot`` draws anew.
+    Datasets are read at first access, so the folder must not change until then. Warnings and notes
+    are those of the run; ``plot`` draws figures again.
 
     Raises
     ------
-    InvalidInput : there is no results folder, or an older or newer version wrote it
+    InvalidInput : not a results folder, or written by an older or newer version
     """
     return StoredResults(Path(folder))
 
@@ -108,21 +108,21 @@ class StoredResults(Results):
 
     @typed(InvalidInput)
     def save(self, folder: str | Path) -> Path:
-        """Copy the folder, whole or not at all; see ``Results.save``.
+        """Copy the folder, completely or not at all; see ``Results.save``.
 
         Raises
         ------
         OutputRefused : ``folder`` holds something that is not a results folder
-        InvalidInput : it cannot be made there
+        InvalidInput : the folder cannot be created
         """
         from rotordyn.report.folder import absolute, results_folder
 
         target = Path(folder)
         if absolute(target) == self._folder:
             return target
-        held = sorted(self._folder.rglob("*"))
+        paths = sorted(self._folder.rglob("*"))
         with results_folder(target) as place:
-            for path in held:
+            for path in paths:
                 copy = place.folder / path.relative_to(self._folder)
                 if path.is_dir():
                     copy.mkdir()
@@ -154,7 +154,7 @@ class StoredResults(Results):
 
 
 class _Read(Mapping[str, Any]):
-    """Frozen results of one part, made of its datasets when they are asked for."""
+    """Results of one part, built from its datasets at first access."""
 
     def __init__(self, results: Results, prefix: str) -> None:
         self._results, self._prefix = results, prefix

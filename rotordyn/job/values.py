@@ -1,4 +1,4 @@
-"""What of a run has a range: its headline numbers and curves, by name."""
+"""Headline numbers and curves of a run by name, of which intervals are made."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from rotordyn.results.kinds import Array
 
 @dataclass(frozen=True, slots=True)
 class Values:
-    """Headline numbers and curves of one machine by name; none of one without a solution."""
+    """Headline numbers and curves of one machine by name; empty without a solution."""
 
     numbers: Mapping[str, Number] = field(default_factory=dict)
     curves: Mapping[str, Curve] = field(default_factory=dict)
@@ -27,7 +27,7 @@ class Values:
 
 
 def values_of(case: Described, results: Mapping[str, Any]) -> Values:
-    """The values of the results of ``case``."""
+    """Headline numbers and curves of the results of ``case``."""
     numbers = {f"{name}: {each.words}": each for name, each in headline_numbers(case, results)}
     names = in_order(results)
     curves = {key: each for name in names for key, each in named_curves(case, name, results[name])}
@@ -35,18 +35,18 @@ def values_of(case: Described, results: Mapping[str, Any]) -> Values:
 
 
 def machine_of(case: Described) -> str:
-    """What the spindle of a case is called; nothing where there is none."""
+    """Name of the spindle of a case; empty if there is none."""
     return (case.spindle.title or case.spindle.name) if case.spindle is not None else ""
 
 
 def shown_of(case: Described, result: Any) -> Shown:
-    """A result of ``case`` as figures and pages show it; what is known is of the fixed frame."""
+    """A result of ``case`` for figures and pages; known values apply to the fixed frame only."""
     known = () if turning(result) else case.known
     return Shown(case.title or case.name, result, known, case.spindle)
 
 
 def named_curves(case: Described, name: str, result: Any) -> Iterator[tuple[str, Curve]]:
-    """Curves of an analysis, within their axes, by what tells them from the others."""
+    """Yield the curves of an analysis by a distinct name."""
     count: Counter[str] = Counter()
     for curve in analysis(name).curves(case.analyses.get(name), shown_of(case, result)):
         if curve.backdrop:
@@ -58,10 +58,10 @@ def named_curves(case: Described, name: str, result: Any) -> Iterator[tuple[str,
 
 
 def difference(curve: Curve, other: Curve, base: Curve) -> Array:
-    """How far ``other`` lies from ``base`` at the points of ``curve``; by logarithms where they
-    change by factors.
+    """Difference of ``other`` from ``base`` at the points of ``curve``, of logarithms if the curve
+    changes by factors.
 
-    The difference is followed between the points of the two where these are the same.
+    If both have the same points, their difference is interpolated, else each of them.
     """
     first, second = _scaled(base), _scaled(other)
     if np.array_equal(base.x, other.x):
@@ -77,7 +77,7 @@ def _scaled(curve: Curve) -> Array:
 
 
 def _followed(x: Array, at: Array, y: Array) -> Array:
-    """Values at ``x`` of what is known ``at`` some points; NaN outside and beside unknown ones."""
+    """Interpolate values known ``at`` some points to ``x``; NaN outside, and next to NaN."""
     if np.array_equal(x, at):
         return y
     return np.interp(x, at, y, left=np.nan, right=np.nan)

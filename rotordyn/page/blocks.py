@@ -1,8 +1,8 @@
-"""What a page is made of: tables, charts, moving shapes, sentences, in sections. Plain data.
+"""Parts of a page as plain data: tables, charts, animated shapes, sentences, in sections.
 
-A block whose ``section`` is empty stands in the section of its analysis. Tables of one title in one
-section whose first column has the same head are joined by that column: so several analyses tell of
-the bearings in one table.
+A block with an empty ``section`` belongs to the section of its analysis. Tables of a section with
+the same title and the same heading of the first column are joined by that column, so that several
+analyses share one table of the bearings.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ BEARINGS, BEARING = "Bearings", "bearing"  # section and first column that analy
 
 
 class Markup(str):
-    """Text that is not escaped: a template, or what a script sets as text."""
+    """Text that is not escaped: a template, or text set by the script."""
 
     __slots__ = ()
 
@@ -35,7 +35,7 @@ class Text:
 
 @dataclass(frozen=True, slots=True)
 class Printed:
-    """Text of a terminal, shown when asked for."""
+    """Preformatted text, folded at first."""
 
     title: str
     text: str
@@ -44,7 +44,7 @@ class Printed:
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """Cells as printed; the first column heads its rows. ``folded``: shown when asked for."""
+    """Cells as text; the first column labels the rows. ``folded``: hidden at first."""
 
     title: str
     head: Sequence[str]
@@ -54,7 +54,7 @@ class Table:
     section: str = ""
 
     def joined(self, other: Table) -> Table:
-        """This table with the further columns of ``other``, rows by their first cells."""
+        """Join the columns of ``other``, matching rows by their first cells."""
         beside = {row[0]: row[1:] for row in other.rows}
         blank = [""] * (len(other.head) - 1)
         rows = [[*row, *beside.pop(row[0], blank)] for row in self.rows]
@@ -65,7 +65,7 @@ class Table:
 
 @dataclass(frozen=True, slots=True)
 class Control:
-    """One of ``options`` is chosen, by a slider or from a list; ``start``: at first."""
+    """Selection of one of ``options``, by a slider or from a list; ``start``: initial index."""
 
     label: str
     options: Sequence[str]
@@ -130,16 +130,16 @@ class Section:
 
 
 def sections(named: Sequence[tuple[str, Block]]) -> list[Section]:
-    """Blocks by the title of their section, tables joined where they are of the same things."""
-    found: dict[str, list[Block]] = {}
+    """Group blocks by section; tables of the same title and first column are joined."""
+    by_title: dict[str, list[Block]] = {}
     for title, block in named:
-        held = found.setdefault(block.section or title, [])
-        place = next((k for k, other in enumerate(held) if _alike(other, block)), None)
+        listed = by_title.setdefault(block.section or title, [])
+        place = next((k for k, other in enumerate(listed) if _alike(other, block)), None)
         if place is None:
-            held.append(block)
+            listed.append(block)
         else:
-            held[place] = held[place].joined(block)  # type: ignore[union-attr, arg-type]
-    return [Section(title, blocks) for title, blocks in found.items()]
+            listed[place] = listed[place].joined(block)  # type: ignore[union-attr, arg-type]
+    return [Section(title, blocks) for title, blocks in by_title.items()]
 
 
 def _alike(one: Block, other: Block) -> bool:

@@ -1,4 +1,4 @@
-"""Charts of headline curves: variants over one another, known values as open marks."""
+"""Charts of headline curves: variants in one chart, known values as open markers."""
 
 from __future__ import annotations
 
@@ -26,37 +26,37 @@ from rotordyn.results.headline import Curve, belongs, under
 
 Curves = Callable[[Any, Any], Iterable[Curve]]
 Panel = tuple[str, str, str, str]
-MOST_CHARTS = 24  # of one analysis
-ROOM = 1.05  # of an axis, above the values that it holds
-ROUNDED = 1e-5  # of an axis, above its end: a mark there, rounded up, would not be drawn
+MOST_CHARTS = 24  # charts of one analysis
+ROOM = 1.05  # upper end of an axis over the largest value
+ROUNDED = 1e-5  # margin of an axis over its end, so that a marker rounded up is still drawn
 BEYOND = "Triangles at the upper edge lie beyond the axis: pointing at them gives their values."
 OPEN = {"measured": "circle-open", "published": "diamond-open"}
 
 
 def curve_charts(curves: Curves, spec: Any, variants: Sequence[Shown]) -> Iterator[Chart]:
-    """A chart for every panel; a line for each curve of each variant."""
+    """Yield a chart for every panel, with a line for each curve of each variant."""
     panels: dict[Panel, dict[tuple[int, str, str], Curve]] = {}
     for place, variant in enumerate(variants):
         for curve in curves(spec, variant):
             if curve.backdrop and place:
                 continue
-            held = panels.setdefault((curve.panel, curve.label, curve.title, curve.along), {})
-            held.setdefault((place, curve.series, curve.key), curve)  # once, of several figures
-    for held in list(panels.values())[:MOST_CHARTS]:
-        yield _chart([(place, curve) for (place, _, _), curve in held.items()], variants)
+            by_curve = panels.setdefault((curve.panel, curve.label, curve.title, curve.along), {})
+            by_curve.setdefault((place, curve.series, curve.key), curve)  # once, of several figures
+    for by_curve in list(panels.values())[:MOST_CHARTS]:
+        yield _chart([(place, curve) for (place, _, _), curve in by_curve.items()], variants)
 
 
-def _chart(held: Sequence[tuple[int, Curve]], variants: Sequence[Shown]) -> Chart:
-    first = next((curve for _, curve in held if not curve.backdrop), held[0][1])
-    names = [curve.series or curve.key for _, curve in held if not curve.backdrop]
+def _chart(curves: Sequence[tuple[int, Curve]], variants: Sequence[Shown]) -> Chart:
+    first = next((curve for _, curve in curves if not curve.backdrop), curves[0][1])
+    names = [curve.series or curve.key for _, curve in curves if not curve.backdrop]
     series = list(dict.fromkeys(names))
-    edge = _edge([curve for _, curve in held])
+    edge = _edge([curve for _, curve in curves])
     traces = [
         _trace(place, curve, series, [variant.title for variant in variants], edge)
-        for place, curve in held
+        for place, curve in curves
     ]
-    off = [mark for pair in zip(held, traces, strict=True) for mark in _beyond(*pair, edge)]
-    traces = once_named(traces) + once_named(known_marks(held, variants)) + off
+    off = [mark for pair in zip(curves, traces, strict=True) for mark in _beyond(*pair, edge)]
+    traces = once_named(traces) + once_named(known_marks(curves, variants)) + off
     down, up = first.limits
     if np.isfinite(edge):
         up = edge * (1.0 + ROUNDED)
@@ -77,20 +77,20 @@ def _chart(held: Sequence[tuple[int, Curve]], variants: Sequence[Shown]) -> Char
 
 
 def _edge(curves: Sequence[Curve]) -> float:
-    """Upper end of an axis beyond which some values lie; infinite where it holds them all."""
+    """Upper end of an axis that cuts some values off; infinite if it shows all."""
     ceiling = max(curve.ceiling for curve in curves)
     return edge_of(curves) if any((curve.y > ceiling).any() for curve in curves) else np.inf
 
 
 def edge_of(curves: Sequence[Curve]) -> float:
-    """Upper end of an axis that does not grow for what lies beyond the ceiling of its curves."""
+    """Upper end of an axis that ignores values above the ceiling of its curves."""
     ceiling = max(curve.ceiling for curve in curves)
     values = np.concatenate([curve.y for curve in curves])
     return ROOM * float(np.max(values, where=values <= ceiling, initial=0.0)) or ceiling
 
 
 def _beyond(held: tuple[int, Curve], trace: Any, edge: float) -> Iterator[Any]:
-    """Triangles at the edge for points beyond it, where these are too few for a line."""
+    """Yield triangles at the edge for points beyond it, if these are too few for a line."""
     place, curve = held
     off = curve.y > edge
     if curve.dotted and off.any():
@@ -111,7 +111,7 @@ def _beyond(held: tuple[int, Curve], trace: Any, edge: float) -> Iterator[Any]:
 
 
 def once_named(traces: list[Any]) -> list[Any]:
-    """Traces of which each name stands in the legend once, and hides all that bear it."""
+    """Show each name once in the legend, where it toggles all traces of that name."""
     seen: set[str] = set()
     names = [trace["name"] for trace in traces]
     for trace in traces:
@@ -132,33 +132,33 @@ def _trace(
         looks = {"color": FAINT, "width": 1.0, "dash": "dot"}
         return {"x": x, "y": y, "mode": "lines", "line": looks, "name": name, "hoverinfo": "name"}
     which = series.index(name)
-    own = which if len(titles) == 1 else place
+    number = which if len(titles) == 1 else place
     trace: dict[str, Any] = {"x": x, "y": y, "name": name or curve.label}
     if len(titles) > 1:
         trace["name"] = f"{titles[place]}, {name}" if name else titles[place]
         trace["legendgroup"] = titles[place]
         trace["showlegend"] = len(titles) <= MANY
     if len(x) < curve.least:
-        return trace | marks_only(own)
+        return trace | marks_only(number)
     dash = which if len(titles) == 1 or len(series) > 1 else place
     return trace | {
         "mode": "lines+markers" if len(titles) > 1 else "lines",
-        "line": line(own, dash),
-        "marker": {"symbol": mark(own), "size": 6, "maxdisplayed": 8},
+        "line": line(number, dash),
+        "marker": {"symbol": mark(number), "size": 6, "maxdisplayed": 8},
     }
 
 
-def known_marks(held: Sequence[tuple[int, Curve]], variants: Sequence[Shown]) -> list[Any]:
-    """Published and measured values of what a chart shows, once each."""
-    wanted = {curve.known for _, curve in held if curve.known is not None}
-    found: dict[Reference, int] = {}
+def known_marks(curves: Sequence[tuple[int, Curve]], variants: Sequence[Shown]) -> list[Any]:
+    """Traces of published and measured values of the quantities of a chart, once each."""
+    wanted = {curve.known for _, curve in curves if curve.known is not None}
+    references: dict[Reference, int] = {}
     for place, variant in enumerate(variants):
         for each in variant.known:
             if belongs(each, wanted):
-                found.setdefault(each, place)
-    shared = [r for r in found if all(r in variant.known for variant in variants)]
+                references.setdefault(each, place)
+    shared = [r for r in references if all(r in variant.known for variant in variants)]
     traces = []
-    for each, place in found.items():
+    for each, place in references.items():
         whose = f" {each.subject}" if each.subject and len(wanted) > 1 else ""
         traces.append(
             {
@@ -179,7 +179,7 @@ def known_marks(held: Sequence[tuple[int, Curve]], variants: Sequence[Shown]) ->
 
 
 def _places(curve: Curve) -> tuple[list[Any], list[Any]]:
-    """Named places along the abscissa."""
+    """Shapes and labels of named positions along the abscissa."""
     shapes = [
         dict(type="line", x0=x, x1=x, y0=0, y1=1, yref="paper", line=dict(color=FAINT, width=0.7))
         for x, _ in curve.places

@@ -1,4 +1,4 @@
-"""What a page shows of any result: its declared quantities over speed, and single values."""
+"""Blocks of a page for any result: its declared quantities over speed, and single values."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ MOST_LINES = 12
 
 
 def declared_blocks(variants: Sequence[Shown]) -> Iterator[Block]:
-    """Charts of quantities over speed, of few lines each; a table of single values."""
+    """Yield charts of quantities over speed with few lines each, and a table of single values."""
     yield from (chart for chart in curve_charts(_curves, None, variants) if _finite(chart))
     rows = [row for variant in variants for row in _single(variant)]
     if rows:

@@ -1,4 +1,4 @@
-"""A page as one file of HTML: sections, tables, charts and the library that draws them."""
+"""Write a page as one HTML file: sections, tables, charts and the library that draws them."""
 
 from __future__ import annotations
 
@@ -29,11 +29,11 @@ from rotordyn.page.blocks import (
 from rotordyn.page.packed import compressed, packed
 from rotordyn.whole import whole_files
 
-ARROW = "\u00a0→ "  # a line breaks behind it alone
-LONG = 50  # letters of a cell that needs room
-FEW_COLUMNS = 3  # of tables that stand side by side
-MOST_COLUMNS = 12  # of a folded table that paper holds in the usual size
-STARTS = "0123456789-+−<>. "  # of cells that hold numbers
+ARROW = "\u00a0→ "  # allows a line break only after the arrow
+LONG = 50  # characters from which a cell is wide
+FEW_COLUMNS = 3  # tables with fewer columns are placed side by side
+MOST_COLUMNS = 12  # a folded table with more is printed smaller
+STARTS = "0123456789-+−<>. "  # first characters of cells with numbers
 ENDINGS = (".html", ".htm")
 _FRAME = """<!doctype html>
 <html lang="en">
@@ -72,9 +72,9 @@ _FRAME = """<!doctype html>
 
 @dataclass(frozen=True, slots=True)
 class Page:
-    """A page: its ``title``, lines ``about`` it below, sections, a line at its foot.
+    """Content of a page: ``title``, lines ``about`` it, sections, footer.
 
-    ``verdict``: in a few words; ``grave``: whether it is that something failed.
+    ``verdict``: short result; ``grave``: whether it states a failure.
     """
 
     title: str
@@ -86,11 +86,11 @@ class Page:
 
 
 def html(page: Page) -> str:
-    """The page as text of one file.
+    """Return the page as HTML.
 
     Raises
     ------
-    ModuleNotFoundError : plotly, which has the library of the charts, is not installed
+    ModuleNotFoundError : plotly, which contains the chart library, is not installed
     """
     drawn: dict[str, Any] = {}
     body = [_section(place, each, drawn) for place, each in enumerate(page.sections)]
@@ -117,7 +117,7 @@ def write(path: Path, page: Page) -> None:
     Raises
     ------
     ModuleNotFoundError : plotly is not installed
-    InvalidInput : the file is not one of HTML by its name, or cannot be written
+    InvalidInput : the name of the file does not end as one of HTML, or it cannot be written
     """
     given, path = path, Path(os.path.realpath(path))
     stream = path.exists() and not path.is_file()  # a pipe or a device is written to, not replaced
@@ -136,12 +136,12 @@ def write(path: Path, page: Page) -> None:
 
 @cache
 def packed_library() -> str:
-    """``library`` as every page of a process holds it."""
+    """Compressed ``library``, made once per process."""
     return compressed(library())
 
 
 def library() -> bytes:
-    """plotly.js as the package plotly has it.
+    """Return plotly.js from the package plotly.
 
     Raises
     ------
@@ -155,7 +155,7 @@ def _resource(name: str) -> str:
 
 
 def _section(place: int, section: Section, drawn: dict[str, Any]) -> str:
-    """A section in HTML; what the script draws of it is added to ``drawn``, by its ``id``."""
+    """HTML of a section; data of its charts are added to ``drawn`` by their ``id``."""
     parts = [f'<section id="s{place}" aria-labelledby="h{place}">']
     parts.append(f'<h2 id="h{place}">{escape(section.title)}</h2>')
     around = ""
@@ -171,7 +171,7 @@ def _section(place: int, section: Section, drawn: dict[str, Any]) -> str:
 
 
 def _around(block: Block) -> str:
-    """The class of what small blocks that follow one another stand in."""
+    """CSS class of the container in which adjacent small blocks are placed; empty for others."""
     if isinstance(block, Chart) and not block.wide:
         return "grid"
     return "tables" if isinstance(block, Table) and len(block.head) < FEW_COLUMNS else ""
@@ -233,7 +233,7 @@ def _table(table: Table, section: str) -> Iterator[str]:
 
 
 def _kind(column: Sequence[str]) -> str:
-    """The class of the cells of a column: numbers, long texts, or neither."""
+    """CSS class of the cells of a column: numbers, long texts, or neither."""
     filled = [cell for cell in column if cell]
     if filled and all(cell[0] in STARTS or cell == "none" for cell in filled):
         return ' class="n"'
@@ -264,7 +264,7 @@ def _figure(name: str, block: Chart | Shapes) -> Iterator[str]:
 
 
 def _control(name: str, control: Control) -> Iterator[str]:
-    """A slider or a list; a choice of one is none."""
+    """HTML of a slider or a list; hidden if it has one option only."""
     hidden = " hidden" if len(control.options) < 2 else ""
     yield f'<label for="{name}"{hidden}>{escape(control.label)}'
     if control.slider:
@@ -281,7 +281,7 @@ def _control(name: str, control: Control) -> Iterator[str]:
 
 
 def _controls(controls: Sequence[Control]) -> list[Mapping[str, Any]]:
-    """What a script needs to know of them; it sets texts, which are no HTML there."""
+    """Data of the controls for the script, which sets them as text, so that nothing is escaped."""
     return [{"options": [*map(Markup, c.options)], "start": c.start} for c in controls]
 
 

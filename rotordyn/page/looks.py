@@ -1,6 +1,6 @@
-"""Lines and marks of charts: told apart by dashes and marks, and by colours seen on light and dark.
+"""Styles of charts: lines differ by dashes, markers and colours visible on light and dark.
 
-Colours are those of Okabe and Ito but black, the words ``INK`` and ``FAINT`` those of the text.
+Colours are those of Okabe and Ito without black; ``INK`` and ``FAINT`` stand for text colours.
 """
 
 from __future__ import annotations
@@ -11,27 +11,27 @@ INK, FAINT = "@ink", "@faint"
 COLOURS = ("#0082CC", "#D55E00", "#009E73", "#B0689F", "#C98A00", "#4FA8DC", "#8A8A8A")
 DASHES = ("solid", "dash", "dot", "dashdot", "longdash", "longdashdot")
 MARKS = ("circle", "square", "triangle-up", "diamond", "triangle-down", "cross", "x")
-FEW_POINTS = 4  # for a line; fewer are marks
-MANY = 14  # variants that have a name each in a legend
+FEW_POINTS = 4  # points from which a line is drawn; fewer are markers
+MANY = 14  # largest number of variants named in a legend
 
 
 def colour(place: int) -> str:
-    """Colour of the line at a place among others."""
+    """Colour of line number ``place``."""
     return COLOURS[place % len(COLOURS)]
 
 
 def line(place: int, dash: int = 0, width: float = 1.8) -> dict[str, Any]:
-    """A line by its places among colours and dashes."""
+    """Line style by the numbers of colour and dash pattern."""
     return {"color": colour(place), "dash": DASHES[dash % len(DASHES)], "width": width}
 
 
 def mark(place: int) -> str:
-    """Mark at a place among others."""
+    """Symbol of marker number ``place``."""
     return MARKS[place % len(MARKS)]
 
 
 def marks_only(place: int) -> dict[str, Any]:
-    """Points too few for a line."""
+    """Style of points that are too few for a line."""
     return {"mode": "markers", "marker": {"symbol": mark(place), "color": colour(place), "size": 8}}
 
 

@@ -1,7 +1,7 @@
-"""What charts show in few bytes: text as JSON, numbers as 32-bit arrays behind it, compressed.
+"""Pack the data of charts: JSON text followed by numbers as 32-bit arrays, compressed.
 
-A browser has the decompressor (``DecompressionStream``: Chrome 80, Firefox 113, Safari 16.4). An
-array stands in the text as ``{"$": kind, "at": byte, "n": length, "w": [row, …]}``.
+Browsers decompress it (``DecompressionStream``: Chrome 80, Firefox 113, Safari 16.4). An array is
+written in the text as ``{"$": kind, "at": byte, "n": length, "w": [row, …]}``.
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ import numpy as np
 
 from rotordyn.page.blocks import Markup
 
-LEVEL = 4  # of compression: 6 takes half as long again for 4 %
+LEVEL = 4  # of compression: level 6 takes half as long again and saves 4 %
 
 
 def packed(content: Any) -> str:
-    """``content`` of lists, mappings, numbers, texts and arrays as base64 of compressed bytes.
+    """Pack lists, mappings, numbers, texts and arrays as base64 of compressed bytes.
 
-    Texts are escaped, as plotly.js reads entities, but those that are ``Markup``.
+    Texts other than ``Markup`` are escaped, as plotly.js interprets entities.
     """
     numbers = bytearray()
     text = json.dumps(_plain(content, numbers), ensure_ascii=False, allow_nan=False).encode()
@@ -34,7 +34,7 @@ def packed(content: Any) -> str:
 
 
 def compressed(raw: bytes) -> str:
-    """Bytes as base64 of gzip, the same for the same bytes."""
+    """Compress bytes with gzip as base64; deterministic."""
     return base64.b64encode(gzip.compress(raw, LEVEL, mtime=0)).decode("ascii")
 
 
@@ -66,9 +66,9 @@ def _array(values: np.ndarray[Any, Any], numbers: bytearray) -> Any:
 
 
 def rounded(values: np.ndarray[Any, Any], bits: int = 15) -> np.ndarray[Any, Any]:
-    """``values`` as 32-bit numbers with ``bits`` binary digits, which compress to about half.
+    """Round ``values`` to 32-bit numbers with ``bits`` binary digits, which compress to about half.
 
-    What is drawn differs by 2^(−bits) at most, 3e-5.
+    The relative error is at most 2^(−bits), 3e-5.
     """
     kept = np.asarray(values, np.float32).view(np.uint32)
     drop = 23 - bits

@@ -1,4 +1,4 @@
-"""Results as one HTML page: verdict, machine, inputs, what every analysis shows, where it is from.
+"""Results as one HTML page: verdict, machine, inputs, blocks of every analysis, provenance.
 
 ``whole`` joins the sections; ``machine``, ``inputs``, ``variants`` and ``origin`` are its own,
 ``asked`` asks the analyses.

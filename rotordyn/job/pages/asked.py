@@ -1,4 +1,4 @@
-"""What every analysis of a case shows on a page."""
+"""Blocks of every analysis of a case."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ MOST = 12  # variants whose curves a page shows
 
 
 def analysis_blocks(parts: Sequence[Part]) -> Iterator[tuple[str, Block]]:
-    """Section and block, by the place of the analysis."""
+    """Yield section and block of every analysis, in the order of the case."""
     for name in in_order(*(part.results for part in parts)):
         record = analysis(name)
         title = record.title or name.replace("_", " ").capitalize()
@@ -43,7 +43,7 @@ def _blocks(record: Analysis, spec: Any, variants: Sequence[Shown]) -> Iterator[
 
 
 def numbers_table(parts: Sequence[Part], name: str) -> Table | None:
-    """Headline numbers of an analysis, a row for each variant; None where it has none."""
+    """Table of headline numbers of an analysis, a row for each variant; None if it has none."""
     heads, rows = headline_cells(name, parts)
     if not heads:
         return None

@@ -1,4 +1,4 @@
-"""What went in: every value of a description that is not its default, with unit and meaning."""
+"""Input of a case: all values of descriptions that differ from their defaults, with units."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ Row = tuple[str, str, str]
 
 
 def input_blocks(cases: Sequence[Case]) -> Iterator[Block]:
-    """Speeds, conditions, analyses, machine, sources, of variants those of the first one; tables
-    shown when asked for."""
+    """Yield folded tables of speeds, conditions, analyses, machine and sources, of the first
+    variant if there are variants."""
     case = cases[0]
     ends = " to ".join(dict.fromkeys(f"{case.speeds[k] * RPM.factor:.6g}" for k in (0, -1)))
     asked = ", ".join(name.replace("_", " ") for name in case.analyses)
@@ -49,7 +49,7 @@ def input_blocks(cases: Sequence[Case]) -> Iterator[Block]:
 
 
 def _tables(title: str, value: Any) -> Iterator[Table]:
-    """Plain values of a description in one table, lists of descriptions in one each."""
+    """Yield a table of the plain values of a description, and one for each list of descriptions."""
     rows: list[Row] = []
     lists: list[Table] = []
     for field, held in _given(value):
@@ -69,12 +69,12 @@ def _tables(title: str, value: Any) -> Iterator[Table]:
 
 
 def _called(field: Any) -> str:
-    """What files call it."""
+    """Key of a field in files."""
     return " ".join(field.keys or [field.name]).replace("_", " ")
 
 
 def _listed(held: Any) -> bool:
-    """Descriptions, each of them a row of a table."""
+    """Whether a value is a list of descriptions, which becomes a table."""
     return isinstance(held, tuple) and bool(held) and all(map(is_dataclass, held))
 
 
@@ -87,7 +87,7 @@ def _given(value: Any) -> Iterator[tuple[Any, Any]]:
 
 
 def _list(title: str, items: Sequence[Any]) -> Table:
-    """A row for each item, a column for each value that one of them has."""
+    """Table with a row for each item, and a column for each value that any of them has."""
     rows = [
         {_called(f): _written(held, f.annotation) for f, held in _given(item)} for item in items
     ]
@@ -100,7 +100,7 @@ def _list(title: str, items: Sequence[Any]) -> Table:
 
 
 def _written(value: Any, annotation: Any) -> str:
-    """A value as a file could write it."""
+    """Text of a value as in a file."""
     if isinstance(value, float):
         return _number(value, annotation)
     if isinstance(value, bool) or value is None:
@@ -115,7 +115,7 @@ def _written(value: Any, annotation: Any) -> str:
 
 
 def _several(value: Any, annotation: Any) -> str:
-    """Values of a mapping or a list, entries of matrices in their units."""
+    """Text of the values of a mapping or a list; entries of matrices with units."""
     if isinstance(value, Mapping) and (matrix := found_in(annotation, Matrix)):
         every = {pair: Annotated[float, matrix.quantity(*pair)] for pair in value}
         return "; ".join(f"{entry_name(*k)}: {_written(v, every[k])}" for k, v in value.items())

@@ -1,4 +1,4 @@
-"""How sure a run is: ranges of its numbers, what rules them, and curves in their bands."""
+"""Intervals of a run: ranges of numbers, effects of single tolerances, bands of curves."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ Lists = list[list[float]]
 
 
 def interval_blocks(parts: Mapping[str, Part], held: Mapping[str, Interval]) -> Iterator[Block]:
-    """Of every part that was solved over what is uncertain."""
+    """Yield the blocks of every part with an interval."""
     for name, sure in held.items():
         part = parts[name]
         of = f"{part.case.title or name}: " if name else ""
@@ -42,7 +42,7 @@ def interval_blocks(parts: Mapping[str, Part], held: Mapping[str, Interval]) -> 
 
 
 def _tornado(title: str, held: Interval, chosen: Sequence[int]) -> Chart:
-    """Change of a number that is chosen, by source, the largest on top."""
+    """Tornado chart of a selected number: change by source, the largest on top."""
     several = len(held.combination) > 1
     bars = [_bars(held, k, several=several) for k in chosen]
     kinds = [(f"at its {end} value", COLOURS[k]) for k, end in enumerate(held.end)]
@@ -74,7 +74,7 @@ def _tornado(title: str, held: Interval, chosen: Sequence[int]) -> Chart:
 
 
 def _bars(held: Interval, k: int, *, several: bool) -> tuple[list[str], Lists, Lists]:
-    """Names of the bars of a number; of every kind where they begin and how far they go."""
+    """Names of the bars of a number, and for each kind their starts and lengths."""
     effects = np.nan_to_num(held.effect[k])
     size = np.abs(effects).max(axis=1, initial=0.0)
     order = [int(s) for s in np.argsort(-size, kind="stable")[:BARS]]
@@ -91,7 +91,7 @@ def _bars(held: Interval, k: int, *, several: bool) -> tuple[list[str], Lists, L
 
 
 def _bands(of: str, part: Part, held: Interval) -> Iterator[Chart]:
-    """Headline curves, each in the band of what is uncertain."""
+    """Yield charts of headline curves with their bands."""
     panels: dict[tuple[str, ...], list[tuple[Curve, int]]] = {}
     for name, result in part.results.items():
         for key, curve in named_curves(part.case, name, result):
@@ -131,13 +131,13 @@ def _band_chart(of: str, part: Part, held: Interval, curves: list[tuple[Curve, i
 
 
 def _drawable(values: Array, curve: Curve) -> Array:
-    """What has a logarithm where the axis has one, and what is endless not far beyond the axis."""
+    """Values that can be drawn: positive on a logarithmic axis, infinite ones just beyond it."""
     values = np.minimum(values, FAR * curve.ceiling)
     return np.where(values > 0.0, values, np.nan) if curve.log else values
 
 
 def _band(x: Array, ends: Array, shade: str) -> dict[str, Any]:
-    """The area between two ends, or at one place the way between them."""
+    """Trace of the area between two ends; a vertical line if there is one point only."""
     known = np.isfinite(ends).all(axis=1)
     there, back = x[known], ends[known]
     if len(there) == 1:

@@ -1,4 +1,4 @@
-"""The machine on a page: its section along the axis, its rotor, its bearings."""
+"""Blocks of the machine: its longitudinal section, rotor and bearings."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _GEOMETRY = ("balls", "ball [mm]", "pitch circle [mm]", "free angle [deg]")
 
 
 def machine_blocks(cases: Sequence[Case]) -> Iterator[Block]:
-    """Longitudinal section, of variants that of the first one; rotors of all."""
+    """Yield the longitudinal section, of the first variant if there are any, and all rotors."""
     first = cases[0]
     if first.spindle is None:
         return
@@ -33,7 +33,7 @@ def machine_blocks(cases: Sequence[Case]) -> Iterator[Block]:
 
 
 def bearings_table(spindle: Spindle, title: str) -> Table:
-    """What bearings are and where: the columns that analyses add to."""
+    """Table of the bearings and their positions, to which analyses add columns."""
     rows = []
     for seat in spindle.seats:
         b = seat.bearing
@@ -54,7 +54,7 @@ def bearings_table(spindle: Spindle, title: str) -> Table:
 
 
 def single_table(bearing: BallBearing, fastest: float, title: str) -> Table:
-    """A single bearing, and its speed factor at the ``fastest`` speed [rad/s]."""
+    """Table of a single bearing, with n·dm at the ``fastest`` speed [rad/s]."""
     factor = fastest * RPM.factor * bearing.pitch_diameter * MM / 1e6
     name = unbroken(getattr(bearing, "name", "") or kind_of(bearing).replace("_", " "))
     row = [name, *_geometry(bearing), f"{factor:.2f} · 10⁶"]
@@ -104,7 +104,7 @@ def _section(spindle: Spindle, of: str) -> Chart:
 
 
 def _outline(shaft: Any) -> tuple[Any, Any]:
-    """Walls of the sections above and below the axis, a gap between them."""
+    """Outlines of the sections above and below the axis, separated by gaps."""
     x: list[float] = []
     y: list[float] = []
     edges = shaft.boundaries
@@ -131,7 +131,7 @@ def _disc(disc: Any) -> dict[str, Any]:
 
 
 def _frame(name: str, x: float, half: float, low: float, high: float) -> dict[str, Any]:
-    """Rectangles above and below the axis."""
+    """Outlines of rectangles above and below the axis."""
     along = np.array([-half, -half, half, half, -half, np.nan] * 2) + x
     up = np.array([low, high, high, low, low, np.nan])
     return {
@@ -145,7 +145,7 @@ def _frame(name: str, x: float, half: float, low: float, high: float) -> dict[st
 
 
 def _points(spindle: Spindle) -> Iterator[tuple[str, str, list[tuple[str, float]]]]:
-    """Places on the axis by what they are, with their marks."""
+    """Positions on the axis by kind, with their markers."""
     kinds = (
         ("support", [(each.name, each.x) for each in spindle.supports]),
         ("mass", [(each.name or "mass", each.x) for each in spindle.masses]),

@@ -1,4 +1,4 @@
-"""Where numbers are from: how well they are solved, versions, date, digest of what was read."""
+"""Provenance of numbers: accuracy, versions, date, digest of the input."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from rotordyn.report.known import computed_values, known_values
 
 
 def known_table(parts: Mapping[str, Part]) -> Table | None:
-    """Published and measured values beside the computed ones; None where there are none."""
+    """Table of published and measured values beside computed ones; None if there are none."""
     rows = []
     for part in parts.values():
         for match in matches(part.case.known, part.results, part.case.spindle):
@@ -27,7 +27,7 @@ def known_table(parts: Mapping[str, Part]) -> Table | None:
 
 
 def origin_blocks(parts: Mapping[str, Part], origin: Origin) -> Iterator[Block]:
-    """Accuracy by analysis, versions, files."""
+    """Yield tables of accuracy by analysis, versions and files."""
     said = {
         f"{title}{phrase}": None
         for name, part in parts.items()

@@ -1,4 +1,4 @@
-"""Variants side by side: what was varied, and the headline numbers of every analysis."""
+"""Comparison of variants: varied values, and the headline numbers of every analysis."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ MOST_VARIED = 12
 
 
 def variant_blocks(parts: Mapping[str, Part]) -> Iterator[Block]:
-    """What differs, then a table for each analysis that has headline numbers."""
+    """Yield a table of the differences, and one for each analysis with headline numbers."""
     cases = [part.case for part in parts.values()]
     differ = varied(cases)[:MOST_VARIED]
     if differ:

@@ -1,4 +1,4 @@
-"""The page of a case: verdict first, where the numbers are from last."""
+"""The page of a case, from the verdict to the provenance of numbers."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def write_page(path: Path, results: Results) -> None:
 
 
 def page_of(results: Results) -> Page:
-    """What the page of ``results`` shows."""
+    """Build the page of ``results``."""
     case, origin = results.case, results.origin
     named = [*_verdict(results), *_blocks(results, origin)]
     machines = dict.fromkeys(machine_of(part.case) for part in results.parts.values())
@@ -45,7 +45,7 @@ def page_of(results: Results) -> Page:
 
 
 def verdict(results: Results) -> str:
-    """In a few words: whether all was solved, and how many warnings there are."""
+    """Short text: whether all was solved, and the number of warnings."""
     count, lost = len(results.warnings), len(results.unsolved)
     warned = f"{count or 'No'} warning{'' if count == 1 else 's'}"
     if lost:
@@ -84,7 +84,7 @@ def _blocks(results: Results, origin: Origin) -> Iterator[tuple[str, Block]]:
 
 
 def _bearings(parts: Mapping[str, Part]) -> Iterator[Table]:
-    """What the bearings of every part are."""
+    """Tables of the bearings of every part."""
     for part in parts.values():
         case, title = part.case, BEARINGS if "" in parts else f"{part.case.title}: bearings"
         if case.spindle is not None and case.spindle.seats:
