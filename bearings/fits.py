@@ -125,7 +125,7 @@ def bearing_bore(diameter: float, grade: str = "normal") -> tuple[float, float]:
 
 
 @checked
-def bearing_outside(diameter: float, grade: str = "P4") -> tuple[float, float]:
+def bearing_outside(diameter: float, grade: str = "normal") -> tuple[float, float]:
     """Lower and upper deviation of a bearing's outside diameter [m], class ``"normal"`` or
     ``"P4"``."""
     if grade not in _OUTSIDE:

@@ -132,6 +132,7 @@ class EstimatedBearing(AngularContactBallBearing):
             "bearing"
         )
 
+    @checked
     def pair(self, preload: float) -> tuple[float, float]:
         """Axial rigidity [N/m] and unloading force [N] of two, back to back, at a preload [N].
 

@@ -145,6 +145,7 @@ def _bearings() -> dict[str, Subject]:
             ),
         ),
         "estimate": Subject(bearings.estimate, estimated),
+        "estimate.pair": Subject(bearings.estimate(**estimated).pair, dict(preload=200.0)),
         "film.film": Subject(
             film.film,
             dict(state=state, lubricant=oil, temperature=50.0, starvation=1.0, heating=True),

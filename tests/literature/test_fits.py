@@ -115,9 +115,12 @@ def test_bearing_rings_of_the_normal_class() -> None:
 
 
 def test_bearing_rings() -> None:
+    """Without a class both rings are normal ones."""
+    assert fits.bearing_bore(0.07) == fits.bearing_bore(0.07, "normal")
+    assert fits.bearing_outside(0.110) == fits.bearing_outside(0.110, "normal")
     assert fits.bearing_bore(0.07, "P4") == pytest.approx((-7e-6, 0.0))
-    assert fits.bearing_outside(0.110) == pytest.approx((-8e-6, 0.0))
-    assert fits.bearing_outside(0.140) == pytest.approx((-9e-6, 0.0))
+    assert fits.bearing_outside(0.110, "P4") == pytest.approx((-8e-6, 0.0))
+    assert fits.bearing_outside(0.140, "P4") == pytest.approx((-9e-6, 0.0))
 
 
 def test_every_class_holds_its_grade() -> None:
