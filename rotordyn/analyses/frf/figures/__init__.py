@@ -55,7 +55,7 @@ def _unbounded(result: Any) -> bool:
 
 
 def panels(_: Any, variants: Sequence[Shown]) -> Iterator[Panel]:
-    """Surfaces and maps of the first pair, each on one scale."""
+    """Small surfaces and maps of the first pair, all variants on a common scale."""
     first = variants[0].result
     if first.speed.size == 1 or first.frequency.size == 1:
         return
@@ -70,12 +70,15 @@ def panels(_: Any, variants: Sequence[Shown]) -> Iterator[Panel]:
 
 
 def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
-    """Amplitude over frequency of every pair at the first slice speeds, those first beside which
-    something was measured."""
+    """Amplitude over frequency of every pair at up to ``MOST_SLICES`` slice speeds, those nearest
+    to measured responses first."""
     result = variant.result
-    beside = {nearest_slice(result, float(speed)) for speed in result.measured_speed}
-    slices = [*beside, *(k for k in np.flatnonzero(result.is_slice).tolist() if k not in beside)]
-    below = axis_label(result, "frequency")
+    measured_slices = {nearest_slice(result, float(speed)) for speed in result.measured_speed}
+    slices = [
+        *measured_slices,
+        *(k for k in np.flatnonzero(result.is_slice).tolist() if k not in measured_slices),
+    ]
+    x_label = axis_label(result, "frequency")
     for pair, name in enumerate(result.pair):
         number = f"_{pair + 1}" if len(result.pair) > 1 else ""
         unit = shown(result.unit(pair))
@@ -83,7 +86,7 @@ def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
             frequency, values = result.curve(index, pair)
             title = f"{result.kind} {name} at {result.speed[index] * RPM.factor:.0f} rpm"
             title += ", in the turning frame" if turning(result) else ""
-            look: dict[str, Any] = {"along": below, "title": title, "log": True}
+            look: dict[str, Any] = {"along": x_label, "title": title, "log": True}
             size = np.abs(values) * unit.factor
             curve = Curve(f"frf_curves{number}", "amplitude", unit.unit, frequency, size, **look)
             yield curve
@@ -91,13 +94,15 @@ def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
 
 
 def _measured(curve: Curve, result: Any, pair: int, index: int) -> Iterator[Curve]:
-    """What was measured of a pair nearest to a slice speed, beside its computed curve."""
+    """Measured responses of a pair whose nearest slice speed is ``index``, as curves."""
     for row, name in enumerate(result.measured):
         speed, x = float(result.measured_speed[row]), result.measured_frequency[row]
         if (result.measured_pair[row], nearest_slice(result, speed)) != (result.pair[pair], index):
             continue
         inside = (x >= result.frequency[0]) & (x <= result.frequency[-1])
         size = np.abs(result.measured_response[row, inside]) * shown(result.unit(pair)).factor
-        words = f"{name}, measured at {speed * RPM.factor:.0f} rpm"
-        alike = bool(np.isnan(result.measured_error[row]))  # what is coupled hangs on the tool
-        yield curve._replace(x=x[inside], y=size, series=words, backdrop=alike)
+        series = f"{name}, measured at {speed * RPM.factor:.0f} rpm"
+        common = bool(
+            np.isnan(result.measured_error[row])
+        )  # a coupled tip depends on the tool of the variant
+        yield curve._replace(x=x[inside], y=size, series=series, backdrop=common)
