@@ -42,9 +42,9 @@ def analysis(name: str) -> Analysis:
         return record
     if name in _outside():
         return _loaded(_outside()[name])
-    known = names()
-    hint = suggestion(name, known)
-    raise InvalidInput(f"unknown analysis: {name}; allowed: {', '.join(known)}{hint}")
+    allowed = names()
+    hint = suggestion(name, allowed)
+    raise InvalidInput(f"unknown analysis: {name}; allowed: {', '.join(allowed)}{hint}")
 
 
 @cache
@@ -62,18 +62,18 @@ def names() -> tuple[str, ...]:
 
 
 def in_order(*among: Iterable[str]) -> list[str]:
-    """Names of analyses, each once, by their place."""
-    return sorted({name for each in among for name in each}, key=place)
+    """Names of analyses without repetition, by their place."""
+    return sorted({name for group in among for name in group}, key=place)
 
 
 def place(name: str) -> tuple[int, str]:
-    """The place of an analysis among others."""
+    """Sort key of an analysis: its place, then its name."""
     return analysis(name).place, name
 
 
 @cache
 def built_in() -> tuple[str, ...]:
-    """Names of the folders."""
+    """Names of the analyses that are folders here."""
     path = import_module(PACKAGE).__path__
     return tuple(sorted(module.name for module in iter_modules(path) if module.ispkg))
 

@@ -44,8 +44,8 @@ def quantity(
     be known to read it, such as its frame.
     """
     metadata = _metadata("quantity", dims, unit, label, printed)
-    said = {"absent": absent, "infinite": infinite, "comment": comment}
-    return field(metadata=metadata | said)
+    remarks = {"absent": absent, "infinite": infinite, "comment": comment}
+    return field(metadata=metadata | remarks)
 
 
 def coordinate(dim: str, *, unit: str, label: str, printed: Shown | None = None) -> Any:
@@ -61,9 +61,11 @@ def _metadata(
 
 
 def absence(info: Mapping[str, Any]) -> str:
-    """What is said of places without a number, of the metadata of a field; empty if nothing is."""
+    """Explanation of missing and infinite numbers, from the metadata of a field; may be empty."""
     kinds = {"NaN": info.get("absent", ()), "infinite": info.get("infinite", ())}
-    return "; ".join(f"{kind} {each.words}" for kind, said in kinds.items() for each in said)
+    return "; ".join(
+        f"{kind} {reason.words}" for kind, reasons in kinds.items() for reason in reasons
+    )
 
 
 def declared(result: Any) -> dict[str, Field[Any]]:
