@@ -55,9 +55,9 @@ def couple(tool: Ends, base: Complex, joint: Complex | None = None) -> Complex:
     InvalidInput : matrices of unlike size, or directions
     """
     _refuse_unlike(tool, base)
-    across = tool.r22 + base + _flexibility(joint, base)
+    interface = tool.r22 + base + _flexibility(joint, base)
     try:
-        tip = np.asarray(tool.r11 - tool.r12 @ np.linalg.solve(across, tool.r21))
+        tip = np.asarray(tool.r11 - tool.r12 @ np.linalg.solve(interface, tool.r21))
     except np.linalg.LinAlgError:
         tip = np.full_like(base, np.nan)
     if not np.isfinite(tip).all():
@@ -73,7 +73,7 @@ def uncouple(tool: Ends, tip: Complex, joint: Complex | None = None, noise: floa
 
     It is ill-conditioned where the tip does not respond to the base: near the poles of the blank
     held at its joint, and with a blank as soft or as stiff as the whole. A short and stiff blank
-    is best, and a modal fit of what was measured comes first.
+    is best, and measured responses are fitted by modes first.
 
     noise : standard deviation of the entries of ``tip`` over their size; 0: rounding alone
 
@@ -146,9 +146,9 @@ def between_points(front: Ends, rear: Ends | None) -> Ends:
     if rear is None:
         rows = (front.r11, front.r12), (front.r21, front.r22)
         return _between(rows, np.array([2, 3]))
-    across = front.r22 + rear.r11
+    interface = front.r22 + rear.r11
     by_tip, by_middle, by_joint = (
-        np.linalg.solve(across, matrix) for matrix in (front.r21, front.r22, rear.r12)
+        np.linalg.solve(interface, matrix) for matrix in (front.r21, front.r22, rear.r12)
     )
     parts = (
         (front.r11 - front.r12 @ by_tip, front.r12 - front.r12 @ by_middle, front.r12 @ by_joint),
@@ -192,8 +192,8 @@ def joint_flexibility(
 class Section(NamedTuple):
     """A uniform part of a shaft at rest, exact by Timoshenko's theory [SI].
 
-    ``stiff_diameter``: that of the solid cylinder of equal bending stiffness, 0 is ``outer``; a
-    fluted part has 0.8 of its own (Kops and Vo 1990, abstract read). ``loss_factor``: material.
+    ``stiff_diameter``: of the solid cylinder of equal bending stiffness, 0: ``outer``; a fluted
+    part has 0.8 of its own (Kops and Vo 1990, abstract read). ``loss_factor`` of the material.
     """
 
     length: float
@@ -231,16 +231,16 @@ def beam(omega: Array, sections: list[Section], speed: float = 0.0) -> Ends:
 def _refuse_section(section: Section) -> None:
     """Refuse a section that no shaft can have."""
     positive = (section.length, section.young, section.density, section.outer)
-    others = (section.inner, section.loss_factor, section.stiff_diameter, section.area)
+    not_negative = (section.inner, section.loss_factor, section.stiff_diameter, section.area)
     stiff = section.stiff_diameter or section.outer
-    are_finite = all(map(finite, (*positive, *others, section.poisson)))
+    are_finite = all(map(finite, (*positive, *not_negative, section.poisson)))
     if (
         not are_finite
         or min(positive) < 1.0 / LARGEST
-        or max(*positive, *others) > LARGEST
+        or max(*positive, *not_negative) > LARGEST
         or not -1.0 < section.poisson <= 0.5
         or 0.0 < section.area < 1.0 / LARGEST
-        or min(others) < 0.0
+        or min(not_negative) < 0.0
         or section.inner >= stiff
     ):
         raise InvalidInput(
@@ -258,12 +258,7 @@ def turning_beam(omega: Array, sections: list[Section], speed: float) -> Ends:
     loss factor is that of the rotating material.
     """
     forward, backward = (beam(omega, sections, sense * speed) for sense in (1.0, -1.0))
-    return Ends(
-        *(
-            _in_planes(of_forward, of_backward)
-            for of_forward, of_backward in zip(forward, backward, strict=True)
-        )
-    )
+    return Ends(*(_in_planes(a, b) for a, b in zip(forward, backward, strict=True)))
 
 
 def _in_planes(forward: Complex, backward: Complex) -> Complex:
@@ -275,8 +270,8 @@ def _in_planes(forward: Complex, backward: Complex) -> Complex:
 
 def _joined(first: Ends, second: Ends) -> Ends:
     """Two free bodies in series, coupled rigidly, as one."""
-    across = first.r22 + second.r11
-    to_first, to_second = (np.linalg.solve(across, matrix) for matrix in (first.r21, second.r12))
+    interface = first.r22 + second.r11
+    to_first, to_second = (np.linalg.solve(interface, matrix) for matrix in (first.r21, second.r12))
     return Ends(
         first.r11 - first.r12 @ to_first,
         first.r12 @ to_second,

@@ -24,13 +24,13 @@ def matches(
         values = _computed(reference, results, spindle)
         if values is None or not np.isfinite(values).any():
             continue
-        kept = np.flatnonzero(np.isfinite(values))
+        finite = np.flatnonzero(np.isfinite(values))
         compared = replace(
             reference,
-            speeds=tuple(reference.speeds[k] for k in kept),
-            values=tuple(reference.values[k] for k in kept),
+            speeds=tuple(reference.speeds[k] for k in finite),
+            values=tuple(reference.values[k] for k in finite),
         )
-        matched.append(Match(compared, tuple(float(values[k]) for k in kept)))
+        matched.append(Match(compared, tuple(float(values[k]) for k in finite)))
     return matched
 
 

@@ -61,11 +61,7 @@ class MeasuredSpindle(Description):
     def of_plane(self, way: str) -> dict[tuple[str, str], MeasuredResponse]:
         """Responses in the direction ``way``; keys are the names of both points, alphabetic: by
         reciprocity, the point of the force and that of the motion may be exchanged."""
-        return {
-            self._ends(measured): measured
-            for measured in self.responses
-            if measured.response.direction == way
-        }
+        return {self._ends(r): r for r in self.responses if r.response.direction == way}
 
     @staticmethod
     def _ends(measured: MeasuredResponse) -> tuple[str, str]:
@@ -168,18 +164,18 @@ class MeasuredSpindle(Description):
         for index, measured in enumerate(self.responses):
             for key, port in (("response", measured.response), ("excitation", measured.excitation)):
                 if port.point not in points:
-                    known = ", ".join(points) or "none"
+                    allowed = ", ".join(points) or "none"
                     yield (
                         ("responses", index, key),
-                        f"unknown point: given '{port.point}'; allowed: {known}",
+                        f"unknown point: given '{port.point}'; allowed: {allowed}",
                     )
                     return
         for plane in self.planes:
             names = {name for pair in self.of_plane(plane) for name in pair}
             stations = sorted((points[name], name) for name in names)
-            wanted = {(name, other) for name in names for other in names if name <= other}
-            given = {self._ends(measured) for measured in self.responses}
-            if len(stations) != 2 or wanted - given or abs(stations[0][0] - front) > SLACK:
+            needed = {(name, other) for name in names for other in names if name <= other}
+            measured_ends = {self._ends(measured) for measured in self.responses}
+            if len(stations) != 2 or needed - measured_ends or abs(stations[0][0] - front) > SLACK:
                 listed = ", ".join(measured.pair for measured in self.responses)
                 yield ("responses",), f"given {listed}; allowed: {NEEDED}"
                 return

@@ -25,7 +25,7 @@ GROUP = "rotordyn.analyses"  # of entry points
 
 
 class Unusable(InvalidInput):
-    """A package outside offers an analysis that cannot be loaded."""
+    """An external package offers an analysis that cannot be loaded."""
 
 
 @cache
@@ -35,13 +35,13 @@ def analysis(name: str) -> Analysis:
     Raises
     ------
     InvalidInput : there is none
-    Unusable : what a package outside offers under that name is none
+    Unusable : what an external package offers under that name is no analysis
     """
     if name in built_in():
         record: Analysis = import_module(f"{PACKAGE}.{name}").ANALYSIS
         return record
-    if name in _outside():
-        return _loaded(_outside()[name])
+    if name in _external():
+        return _loaded(_external()[name])
     allowed = names()
     hint = suggestion(name, allowed)
     raise InvalidInput(f"unknown analysis: {name}; allowed: {', '.join(allowed)}{hint}")
@@ -49,9 +49,9 @@ def analysis(name: str) -> Analysis:
 
 @cache
 def names() -> tuple[str, ...]:
-    """All analyses, by their place; warns of those outside that cannot be used, and omits them."""
+    """All analyses, by their place; warns of external ones that cannot be used, and omits them."""
     usable = []
-    for name in _outside():
+    for name in _external():
         try:
             analysis(name)
         except Unusable as error:
@@ -79,7 +79,7 @@ def built_in() -> tuple[str, ...]:
 
 
 @cache
-def _outside() -> dict[str, EntryPoint]:
+def _external() -> dict[str, EntryPoint]:
     from importlib.metadata import entry_points
 
     return {e.name: e for e in entry_points(group=GROUP) if e.name not in built_in()}

@@ -110,7 +110,7 @@ def answer_spindle(
 def _solved_in_turn(
     analyses: Mapping[str, Spec], solve: Callable[[str, Spec], Result], progress: Progress
 ) -> tuple[dict[str, Result], Stop | None]:
-    """Results by name; where a run is ended and keeps them, those finished, and what ended it."""
+    """Solve analyses in turn: results by name, and what ended a run that keeps those finished."""
     results: dict[str, Result] = {}
     try:
         for name, spec in analyses.items():

@@ -67,7 +67,7 @@ def results_folder(target: Path, *, ended: bool = False) -> Iterator[Place]:
 
     Raises
     ------
-    OutputRefused : ``target`` is a file, or a folder with something in it and no record of ours
+    OutputRefused : ``target`` is a file, or a folder that is not empty and has no record of a run
     InvalidInput : the folder cannot be made there, or the disk takes nothing more
     """
     requested, target = target, absolute(target)
@@ -95,14 +95,14 @@ def absolute(target: Path) -> Path:
 
     Raises
     ------
-    InvalidInput : it is relative to a working directory that exists no more, or has no end
+    InvalidInput : it is relative to a removed working directory, or its links form a circle
     """
     try:
         return Path(os.path.abspath(target)).resolve()
     except FileNotFoundError as error:
         reason = "the working directory has been removed"
         raise InvalidInput(f"{target}: {reason}; give a full path with -o") from error
-    except (OSError, RuntimeError) as error:  # links that lead in a circle
+    except (OSError, RuntimeError) as error:  # links form a circle
         raise InvalidInput(f"{target} cannot be read: links that lead in a circle") from error
 
 

@@ -47,10 +47,10 @@ def interval_lines(interval: Interval, part: str = "") -> list[str]:
 def interval_over(interval: Interval) -> str:
     """Hypotheses and tolerances over which the machine is solved, in words."""
     combinations, sources = len(interval.combination), len(interval.source)
-    words = [f"{combinations} combinations of hypotheses"] if combinations > 1 else []
+    parts = [f"{combinations} combinations of hypotheses"] if combinations > 1 else []
     if sources:
-        words.append(f"{sources} tolerances (95 % of the machines within them)")
-    return " and ".join(words) or "nothing"
+        parts.append(f"{sources} tolerances (95 % of the machines within them)")
+    return " and ".join(parts) or "nothing"
 
 
 def interval_ranges(interval: Interval) -> list[tuple[str, ...]]:
@@ -92,8 +92,8 @@ def _source(path: str) -> str:
 def interval_doubts(interval: Interval) -> Iterator[str]:
     """Sentences on what these ranges do not include, each after a leading word."""
     lacking = np.flatnonzero(interval.without + interval.without_within)
-    words = dict.fromkeys(interval.absent[k] for k in lacking)
-    unmet = ", ".join(UNKNOWN if word == ABSENT else word for word in words)
+    reasons = dict.fromkeys(interval.absent[k] for k in lacking)
+    unmet = ", ".join(UNKNOWN if word == ABSENT else word for word in reasons)
     if np.isin(lacking, _shown(interval)).any():
         yield (
             f"{NONE}          some of these machines have no such number: {unmet}; ranges over "
@@ -105,8 +105,8 @@ def interval_doubts(interval: Interval) -> Iterator[str]:
         yield f"note       some of these machines have no {name}: {unmet}"
     errors = interval.numerical_error[np.isfinite(interval.numerical_error)]
     if errors.size:
-        most = rounded_up(float(errors.max()))
-        yield f"beside it  the numerical error, within {most} of these numbers"
+        largest = rounded_up(float(errors.max()))
+        yield f"beside it  the numerical error, within {largest} of these numbers"
     far = np.flatnonzero(np.nan_to_num(interval.interaction) > FAR)
     if far.size:
         worst = max(far, key=lambda k: interval.interaction[k])
@@ -126,8 +126,8 @@ def interval_doubts(interval: Interval) -> Iterator[str]:
 def write_interval(folder: Path, interval: Interval) -> None:
     """Write the tables ``interval.csv``, ``interval_effects.csv``, ``interval_hypotheses.csv``,
     ``interval_curves.csv`` and ``sensitivities.csv``, if they have rows."""
-    named: list[Column] = [("number", list(interval.number)), ("unit", list(interval.unit))]
-    write_table(folder / "interval.csv", named + _numbers(interval))
+    names: list[Column] = [("number", list(interval.number)), ("unit", list(interval.unit))]
+    write_table(folder / "interval.csv", names + _numbers(interval))
     if interval.source:
         effects = _pairs(interval, "uncertain number", interval.source)
         effects.append(("tolerance", [*interval.tolerance] * len(interval.number)))
@@ -137,7 +137,7 @@ def write_interval(folder: Path, interval: Interval) -> None:
         values = zip(
             interval.combination, map(number_cells, interval.by_combination.T), strict=True
         )
-        write_table(folder / "interval_hypotheses.csv", [*named, *values])
+        write_table(folder / "interval_hypotheses.csv", [*names, *values])
     if interval.curve:
         write_table(folder / "interval_curves.csv", _curves(interval))
     if interval.path:
@@ -177,12 +177,12 @@ def _sensitivities(interval: Interval) -> list[Column]:
     ]
 
 
-def _pairs(interval: Interval, head: str, others: Sequence[str]) -> list[Column]:
+def _pairs(interval: Interval, head: str, entries: Sequence[str]) -> list[Column]:
     """Columns with a row for every number and each of ``others``, which are under ``head``."""
     return [
-        ("number", [name for name in interval.number for _ in others]),
-        ("unit", [unit for unit in interval.unit for _ in others]),
-        (head, [*others] * len(interval.number)),
+        ("number", [name for name in interval.number for _ in entries]),
+        ("unit", [unit for unit in interval.unit for _ in entries]),
+        (head, [*entries] * len(interval.number)),
     ]
 
 
@@ -194,8 +194,10 @@ def _by_end(interval: Interval, words: str, values: Array) -> list[Column]:
 
 def keep(folder: Path, intervals: Mapping[str, Interval]) -> None:
     """Write all intervals of a run, by part, to one file."""
-    named = {f"{part}/{NAME}" if part else NAME: interval for part, interval in intervals.items()}
-    write_results(folder / FILE, named)
+    by_group = {
+        f"{part}/{NAME}" if part else NAME: interval for part, interval in intervals.items()
+    }
+    write_results(folder / FILE, by_group)
 
 
 def kept(folder: Path) -> dict[str, Interval]:

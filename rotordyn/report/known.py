@@ -25,12 +25,10 @@ def known_beside_ours(match: Match) -> str:
     single = _one_speed(reference)
     pairs = [
         unbroken(
-            f"{known * unit.factor:.4g} | {computed * unit.factor:.4g}"
+            f"{known * unit.factor:.4g} | {ours * unit.factor:.4g}"
             + ("" if single else f" @ {speed * RPM.factor:.0f}")
         )
-        for speed, known, computed in zip(
-            reference.speeds, reference.values, match.values, strict=True
-        )
+        for speed, known, ours in zip(reference.speeds, reference.values, match.values, strict=True)
     ]
     where = "" if single else " @ rpm"
     return f"{_subject(reference)}: {reference.kind} | ours{where}: {', '.join(pairs)}"

@@ -70,10 +70,10 @@ def outcomes(results: Mapping[str, Any]) -> dict[str, dict[str, list[float]]]:
     """For each analysis: every outcome word and the speeds [rpm] that ended with it."""
     table: dict[str, dict[str, list[float]]] = {}
     for name, result in results.items():
-        words: dict[str, list[float]] = table.setdefault(name, {})
+        speeds: dict[str, list[float]] = table.setdefault(name, {})
         for speed, word in zip(result.speed, result.outcome, strict=True):
             for text in sorted(set(map(str, np.ravel(word)))):
-                words.setdefault(text, []).append(round(float(speed) * 30.0 / math.pi, 3))
+                speeds.setdefault(text, []).append(round(float(speed) * 30.0 / math.pi, 3))
     return table
 
 

@@ -155,14 +155,14 @@ def _stored(group: Any, v: Variable) -> Any:
     """Store the values of a variable and its attributes in a group of a file."""
     import h5py
 
-    words = v.values.dtype.kind == "U"
-    kind = h5py.string_dtype() if words else v.values.dtype
+    is_text = v.values.dtype.kind == "U"
+    kind = h5py.string_dtype() if is_text else v.values.dtype
     # CF: a missing value is declared, and coordinates have none.
     has_gaps = v.role == "quantity" and v.values.dtype.kind == "f"
     missing = {"_FillValue": np.full(1, np.nan)} if has_gaps else {}
     stored = _created(group, v.name, v.values.shape, kind, np.nan if has_gaps else None)
     if v.values.size:
-        stored[...] = v.values.astype(object) if words else v.values
+        stored[...] = v.values.astype(object) if is_text else v.values
     stored.attrs.update(missing | v.attrs)
     return stored
 

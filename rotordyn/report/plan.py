@@ -27,12 +27,12 @@ def plan(
     if spared:
         lines += ["spared", *_entries(spared)]
     if skipped:
-        by_reason: dict[str, list[str]] = {}
+        reasons: dict[str, list[str]] = {}
         for name, why in skipped.items():
-            by_reason.setdefault(why, []).append(name)
+            reasons.setdefault(why, []).append(name)
         lines += [
             "not run",
-            *_entries(f"{', '.join(names)}: {w}" for w, names in by_reason.items()),
+            *_entries(f"{', '.join(names)}: {w}" for w, names in reasons.items()),
         ]
     return "\n".join(lines)
 

@@ -70,16 +70,12 @@ def _rest(rows: Sequence[Any]) -> list[str]:
 
 def _known(variants: Sequence[Variant]) -> list[str]:
     """Lines of every known value, once, with the values computed by the variants it applies to."""
-    by_reference: dict[Reference, list[tuple[str, str]]] = {}
+    beside: dict[Reference, list[tuple[str, str]]] = {}
     for case, results in variants:
         for match in matches(case.known, results, case.spindle):
-            computed = computed_values(match)
-            by_reference.setdefault(match.reference, []).append((case.title, computed))
-    return [
-        line
-        for reference, computed in by_reference.items()
-        for line in _comparison(reference, computed)
-    ]
+            ours = computed_values(match)
+            beside.setdefault(match.reference, []).append((case.title, ours))
+    return [line for reference, ours in beside.items() for line in _comparison(reference, ours)]
 
 
 def _comparison(reference: Reference, computed: Sequence[tuple[str, str]]) -> list[str]:

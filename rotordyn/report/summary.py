@@ -37,8 +37,8 @@ def summary(
     if case.bearing is not None:
         lines.append(_single(case.bearing))
     names = in_order(results)
-    if words := [word for name in names for word in analysis(name).accuracy(results[name])]:
-        lines.append(f"accuracy   estimated errors by refinement: {', '.join(words)}")
+    if accuracies := [word for name in names for word in analysis(name).accuracy(results[name])]:
+        lines.append(f"accuracy   estimated errors by refinement: {', '.join(accuracies)}")
     lines += [line for name in names for line in analysis(name).summary(results[name])]
     top = opening(warnings, called(case), notes, unsolved)
     text = [*top, *(part for line in lines for part in wrapped(line))]

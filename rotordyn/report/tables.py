@@ -78,33 +78,33 @@ def _quantity_columns(
         yield _column(info["label"], info["printed"], np.broadcast_to(values, shape))
         return
     order = [info["dims"].index(d) for d in (*layout.rows, *across)]
-    words = list(product(*(getattr(result, d) for d in across)))
-    flat = values.transpose(order).reshape(prod(shape), len(words))
-    for place, word in enumerate(words):
+    entries = list(product(*(getattr(result, d) for d in across)))
+    flat = values.transpose(order).reshape(prod(shape), len(entries))
+    for place, entry in enumerate(entries):
         unit = (
-            _unit_by_name(word, across)
-            or _listed_unit(result, name, word, across)
+            _unit_by_name(entry, across)
+            or _listed_unit(result, name, entry, across)
             or info["printed"]
         )
-        label = f"{info['label']} {','.join(word)}" if word else info["label"]
+        label = f"{info['label']} {','.join(entry)}" if entry else info["label"]
         yield from _parts(label, unit, flat[:, place])
 
 
-def _unit_by_name(word: tuple[str, ...], across: list[str]) -> Shown | None:
+def _unit_by_name(entry: tuple[str, ...], across: list[str]) -> Shown | None:
     """Unit of one entry ``across``, where its name determines the unit."""
     if across == ["dof", "dof_other"]:
-        return shown(stiffness_unit(*word))
-    return shown(load_unit(*word)) if across == ["component"] else None
+        return shown(stiffness_unit(*entry))
+    return shown(load_unit(*entry)) if across == ["component"] else None
 
 
-def _listed_unit(result: Any, name: str, word: tuple[str, ...], across: list[str]) -> Shown | None:
+def _listed_unit(result: Any, name: str, entry: tuple[str, ...], across: list[str]) -> Shown | None:
     """Unit of one entry ``across`` of a field that lists units: that of this entry, or the one that
     all have."""
     units = [*result.entry_units(name)] if hasattr(result, "entry_units") else []
     if len(set(units)) == 1:
         return shown(units[0])
     entries = [*getattr(result, across[0])] if len(across) == 1 else []
-    return shown(units[entries.index(word[0])]) if units and len(entries) == len(units) else None
+    return shown(units[entries.index(entry[0])]) if units and len(entries) == len(units) else None
 
 
 def _parts(label: str, unit: Shown, values: NDArray[Any]) -> Iterator[Column]:

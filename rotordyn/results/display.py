@@ -6,10 +6,7 @@ import math
 from dataclasses import dataclass
 
 ROUNDING = 1e-6  # of a printed value: less is printed as zero
-SMALL, LEAST = (
-    1e-3,
-    1e-15,
-)  # sizes of values that are small by their unit: below, and above rounding
+SMALL, LEAST = 1e-3, 1e-15  # bounds of values that are small by their unit, not by rounding
 
 
 @dataclass(frozen=True, slots=True)

@@ -152,17 +152,17 @@ def curves_of(
     info, abscissa = fields[field], fields[along]
     x = getattr(result, along) * abscissa["printed"].factor
     values = np.moveaxis(getattr(result, field), info["dims"].index(along), -1)
-    others = [dim for dim in info["dims"] if dim != along]
+    remaining = [dim for dim in info["dims"] if dim != along]
     for index in product(*(range(n) for n in values.shape[:-1])):
-        at = zip(others, index, strict=True)
+        at = zip(remaining, index, strict=True)
         names = {dim: str(getattr(result, entries[dim])[k]) for dim, k in at}
-        words = ", ".join(names[dim] for dim in series.split())
+        series_name = ", ".join(names[dim] for dim in series.split())
         look = {
             "label": info["label"],
             "unit": info["printed"].unit,
             "panel": names.get(panels, ""),
-            "series": words,
-            "key": words,
+            "series": series_name,
+            "key": series_name,
             "along": f"{abscissa['label']} [{abscissa['printed'].unit}]",
         }
         yield Curve(x=x, y=values[index] * info["printed"].factor, **{**look, **how})
@@ -180,7 +180,7 @@ def cells(numbers: Iterable[Number]) -> dict[str, str]:
 
 def _over_speed(groups: Sequence[Sequence[Number]]) -> str:
     """Numbers at the first and the last speed as text, and extremes beyond them."""
-    words = " → ".join(_side_by_side(group) for group in groups if not group[0].inner)
+    text = " → ".join(_side_by_side(group) for group in groups if not group[0].inner)
     first = groups[0][0]
     extremes = [
         [pick([entry.value for entry in group]) for group in groups]
@@ -192,15 +192,15 @@ def _over_speed(groups: Sequence[Sequence[Number]]) -> str:
         for kind, _, value in outside(np.array(values))
         if kind == word
     ]
-    return f"{words} ({', '.join(more)})" if more else words
+    return f"{text} ({', '.join(more)})" if more else text
 
 
 def _side_by_side(parts: Sequence[Number]) -> str:
     """Parts of a number as text, once where they are equal."""
-    words = [_printed(part) for part in parts]
+    texts = [_printed(part) for part in parts]
     values = np.array([part.value for part in parts])
     equal = np.allclose(values, values[0], rtol=1e-6, atol=0.0, equal_nan=True)
-    return words[0] if equal else "/".join(words)
+    return texts[0] if equal else "/".join(texts)
 
 
 def _printed(entry: Number) -> str:

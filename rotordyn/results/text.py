@@ -77,8 +77,8 @@ def over_speed(values: NDArray[np.float64], speed: NDArray[np.float64], digits: 
         f"{word} {number(value, digits)} at {number(speed[k] * RPM.factor, 0)} rpm"
         for word, k, value in outside(values)
     ]
-    words = from_to(values, digits)
-    return f"{words} ({', '.join(more)})" if more else words
+    ends = from_to(values, digits)
+    return f"{ends} ({', '.join(more)})" if more else ends
 
 
 def outside(values: NDArray[np.float64]) -> list[tuple[str, int, float]]:

@@ -75,8 +75,8 @@ def _peaks(response: Callable[[Array], Complex], hertz: Array) -> Array:
     best = hertz[top]
     for _ in range(ROUNDS if top.size else 0):
         tried = np.linspace(low, high, TRIED)
-        both = np.union1d(hertz, tried)
-        amplitude = np.abs(response(both))[np.searchsorted(both, tried)]
+        with_grid = np.union1d(hertz, tried)
+        amplitude = np.abs(response(with_grid))[np.searchsorted(with_grid, tried)]
         best = np.take_along_axis(tried, amplitude.argmax(axis=0)[None], axis=0)[0]
         step = (high - low) / (TRIED - 1)
         low, high = np.maximum(best - step, hertz[0]), np.minimum(best + step, hertz[-1])

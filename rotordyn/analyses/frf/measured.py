@@ -49,14 +49,14 @@ def measured_fields(
         computed_values = computed(speed_index, at_frequency[inside])[pair]
         if np.isfinite(computed_values).all() and inside.sum() >= LEAST_POINTS:
             frac[row] = assurance(measured[inside], computed_values)
-            peak_frequency, peak_value = (array[speed_index, pair] for array in peaks)
-            is_peak = np.isfinite(peak_frequency)
+            peak_at, peak_value = (array[speed_index, pair] for array in peaks)
+            is_peak = np.isfinite(peak_at)
             valleys = np.sqrt(
-                peak_frequency[is_peak][1:] * peak_frequency[is_peak][:-1]
+                peak_at[is_peak][1:] * peak_at[is_peak][:-1]
             )  # between peaks nearer than the grid
-            grid = np.unique(np.concatenate([frequency, peak_frequency[is_peak], valleys]))
+            grid = np.unique(np.concatenate([frequency, peak_at[is_peak], valleys]))
             curve = np.abs(computed(speed_index, grid)[pair])
-            curve[np.searchsorted(grid, peak_frequency[is_peak])] = np.abs(peak_value[is_peak])
+            curve[np.searchsorted(grid, peak_at[is_peak])] = np.abs(peak_value[is_peak])
             peak_rows[:, row] = _paired_peaks(at_frequency[inside], measured[inside], grid, curve)
     of_measured = ("measured_peak", "measured_peak_amplitude", "measured_peak_error")
     names = (*of_measured, "computed_peak", "computed_peak_amplitude")
@@ -79,7 +79,7 @@ def assurance(one: Complex, other: Complex) -> float:
     largest = np.abs(one).max(initial=0.0), np.abs(other).max(initial=0.0)
     if not min(largest) > 0.0:
         return 0.0
-    one, other = one / largest[0], other / largest[1]  # squares of 1e200 are no numbers
+    one, other = one / largest[0], other / largest[1]  # squares of 1e200 overflow
     size = float((np.abs(one) ** 2).sum() * (np.abs(other) ** 2).sum())
     return float(np.abs(np.vdot(one, other)) ** 2) / size
 
@@ -89,8 +89,8 @@ def peaks_of(amplitude: Array) -> NDArray[np.intp]:
     above them, highest first."""
     inner = amplitude[1:-1]
     tops = 1 + np.flatnonzero((inner > amplitude[:-2]) & (inner >= amplitude[2:]))
-    kept = [top for top in tops if _is_prominent(amplitude, int(top))]
-    return np.array(sorted(kept, key=lambda top: -amplitude[top]), dtype=np.intp)
+    prominent = [top for top in tops if _is_prominent(amplitude, int(top))]
+    return np.array(sorted(prominent, key=lambda top: -amplitude[top]), dtype=np.intp)
 
 
 def _is_prominent(amplitude: Array, top: int) -> bool:
@@ -108,13 +108,11 @@ def _paired_peaks(at: Array, measured: Complex, frequency: Array, computed: Arra
     Rows: measured frequency, amplitude and its error, computed frequency and amplitude.
     """
     rows = np.full((5, PEAKS), np.nan)
-    tops, computed_tops = np.sort(peaks_of(np.abs(measured))[:PEAKS]), peaks_of(computed)
+    tops, candidates = np.sort(peaks_of(np.abs(measured))[:PEAKS]), peaks_of(computed)
     for column, top in enumerate(tops.tolist()):
         peak = line_peak(at, measured, top)
         rows[:3, column] = peak
-        if computed_tops.size:
-            nearest = computed_tops[
-                np.abs(np.log(frequency[computed_tops] / peak.frequency)).argmin()
-            ]
+        if candidates.size:
+            nearest = candidates[np.abs(np.log(frequency[candidates] / peak.frequency)).argmin()]
             rows[3:, column] = frequency[nearest], computed[nearest]
     return rows

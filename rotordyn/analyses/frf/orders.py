@@ -44,16 +44,16 @@ def line_fields(
         value = np.concatenate(by_line, axis=2)
         curves = [_curve(scene, line, at_few, *peaks) for line, *peaks in _expected(scene, lines)]
     longest = max((len(speed) for speed, _ in curves), default=0)
-    highest = [[tops(np.abs(values)) for values in curve.T] for _, curve in curves]
-    most = max((len(top) for each in highest for top in each), default=0)
+    peak_steps = [[tops(np.abs(values)) for values in curve.T] for _, curve in curves]
+    most_peaks = max((len(top) for by_pair in peak_steps for top in by_pair), default=0)
     speed = np.full((len(lines), longest), np.nan)
     curve = np.full((len(lines), longest, pairs), complex(np.nan, np.nan))
-    peak_speed = np.full((len(lines), pairs, most), np.nan)
-    peak_value = np.full((len(lines), pairs, most), complex(np.nan, np.nan))
+    peak_at = np.full((len(lines), pairs, most_peaks), np.nan)
+    peak = np.full((len(lines), pairs, most_peaks), complex(np.nan, np.nan))
     for row, (along, response) in enumerate(curves):
         speed[row, : len(along)], curve[row, : len(along)] = along, response
-        for pair, top in enumerate(highest[row]):
-            peak_speed[row, pair, : len(top)], peak_value[row, pair, : len(top)] = (
+        for pair, top in enumerate(peak_steps[row]):
+            peak_at[row, pair, : len(top)], peak[row, pair, : len(top)] = (
                 along[top],
                 response[top, pair],
             )
@@ -66,9 +66,9 @@ def line_fields(
         "step": np.arange(longest),
         "line_speed": speed,
         "line_curve": curve,
-        "crossing": np.arange(1, most + 1),
-        "line_peak_speed": peak_speed,
-        "line_peak_value": peak_value,
+        "crossing": np.arange(1, most_peaks + 1),
+        "line_peak_speed": peak_at,
+        "line_peak_value": peak,
     }
 
 
@@ -87,11 +87,9 @@ def _expected(scene: Scene, lines: list[Line]) -> list[tuple[Line, Array, Array]
     critical = criticals_up_to(scene, size, orders)
     expected = []
     for line in lines:
-        crossings = [crossing for crossing in critical if crossing.line == line]
-        speed = np.array([crossing.speed for crossing in crossings])
-        expected.append(
-            (line, speed, speed * np.abs([crossing.damping_ratio for crossing in crossings]))
-        )
+        crossings = [peak for peak in critical if peak.line == line]
+        speed = np.array([peak.speed for peak in crossings])
+        expected.append((line, speed, speed * np.abs([peak.damping_ratio for peak in crossings])))
     return expected
 
 

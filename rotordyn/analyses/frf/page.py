@@ -100,11 +100,11 @@ def _moving(result: FrequencyResponse, label: str, by: int = 0) -> dict[str, Any
 
 
 def _captions(variants: Sequence[Shown], speed: int, pair: int) -> str:
-    captions = [_caption(variant.result, speed, pair) for variant in variants]
-    if len(captions) == 1:
-        return captions[0]
+    parts = [_caption(variant.result, speed, pair) for variant in variants]
+    if len(parts) == 1:
+        return parts[0]
     return " ".join(
-        f"{variant.title}: {words}" for variant, words in zip(variants, captions, strict=True)
+        f"{variant.title}: {part}" for variant, part in zip(variants, parts, strict=True)
     )
 
 
@@ -114,24 +114,24 @@ def _caption(result: FrequencyResponse, speed: int, pair: int) -> str:
         return f"Not solved: {result.outcome[speed]}."
     at = result.peak_frequency[speed, pair]
     size = np.abs(result.peak_value[speed, pair]) * shown(result.unit(pair)).factor
-    words = [
+    texts = [
         f"{number(hertz)} Hz ({height:.3g})"
         if np.isfinite(height)
         else f"{number(hertz)} Hz (unbounded)"
         for hertz, height in zip(at, size, strict=True)
         if np.isfinite(hertz)
     ]
-    peaks = f"Peaks [{shown(result.unit(pair)).unit}]: {', '.join(words)}." if words else "No peak."
+    peaks = f"Peaks [{shown(result.unit(pair)).unit}]: {', '.join(texts)}." if texts else "No peak."
     unstable = "The machine is unstable at this speed: the response is not reached. "
     return (unstable if result.unstable[speed] else "") + peaks
 
 
-def _sampled(result: FrequencyResponse, most: int) -> tuple[Array, Complex]:
+def _sampled(result: FrequencyResponse, most_points: int) -> tuple[Array, Complex]:
     """Frequencies and printed values (pairs, speeds, points), peaks included.
 
     Of the frequencies of the case every n-th is kept, and all of them adjacent to peaks.
     """
-    frequency, step = result.frequency, max(1, -(-len(result.frequency) // most))
+    frequency, step = result.frequency, max(1, -(-len(result.frequency) // most_points))
     extra = _about_peaks(result)
     grid = frequency[::step]
     x = np.empty((len(result.pair), len(result.speed), len(grid) + extra.shape[-1]))

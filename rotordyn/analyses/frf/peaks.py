@@ -18,7 +18,7 @@ from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.numerics.peaks import NARROW, spread_between, vertex
 
 _OFFSETS = (0.35, 0.75, 1.5, 3.0, 6.0, 12.0, 30.0)
-ABOUT = np.array([-each for each in _OFFSETS[::-1]] + [0.0, *_OFFSETS])  # half widths from a pole
+ABOUT = np.array([-x for x in _OFFSETS[::-1]] + [0.0, *_OFFSETS])  # half widths from a pole
 MIDDLE = len(_OFFSETS)  # index of the pole itself
 UNDAMPED = 1e-9  # of |pole|: a smaller real part is no damping
 SAME = 1e-10  # of a frequency: closer samples are merged
@@ -41,8 +41,8 @@ class Poles(NamedTuple):
 
     def at(self, row: int) -> tuple[Array, Array]:
         """Centres and half widths at one speed."""
-        known = np.isfinite(self.centre[row])
-        return self.centre[row, known], self.width[row, known]
+        finite = np.isfinite(self.centre[row])
+        return self.centre[row, finite], self.width[row, finite]
 
     def damping_at(self, peak: Array) -> Array:
         """Damping ratio of the mode that makes each ``peak`` [Hz] (s, pairs, n), 0 without damping,
@@ -84,10 +84,8 @@ def poles_of(motions: FreeMotions, low: float, high: float, *, turning: bool) ->
         largest = np.abs(motions.vector).max(axis=1) * np.abs(motions.left).max(axis=2)
         size = largest / (2.0 * math.pi * width)
     keep = np.argsort(~inside, axis=1, kind="stable")[:, : int(inside.sum(axis=1).max(initial=0))]
-    sorted_arrays = [
-        np.take_along_axis(a, keep, axis=1) for a in (hertz, width, size, undamped, inside)
-    ]
-    hertz, width, size, undamped, inside = sorted_arrays
+    kept = [np.take_along_axis(a, keep, axis=1) for a in (hertz, width, size, undamped, inside)]
+    hertz, width, size, undamped, inside = kept
     hertz, width, size = (np.where(inside, a, np.nan) for a in (hertz, width, size))
     return Poles(hertz, width, size, undamped & inside)
 
@@ -129,18 +127,14 @@ def peaks_of(
     parts: list[tuple[slice, Peaks]] = []
     for first in range(0, pairs, TOGETHER):
         part = slice(first, first + TOGETHER)
-        peak, value = _solved(
-            partial(_at_frequencies_of_pairs, within, part), *_local_maxima(x, samples[:, part])
-        )
+        peak, value = _solved(partial(_by_pair, within, part), *_maxima(x, samples[:, part]))
         floor = NOTHING * reach[part][None, :, None] * peak**power * _largest(poles, peak)
-        kept = Peaks(np.where(np.abs(value) > floor, peak, np.nan), value)
-        parts.append((part, _ascending(kept)))
+        significant = Peaks(np.where(np.abs(value) > floor, peak, np.nan), value)
+        parts.append((part, _ascending(significant)))
     return joined(parts, (speeds, pairs))
 
 
-def _at_frequencies_of_pairs(
-    within: Callable[[Array, slice], Complex], part: slice, frequency: Array
-) -> Complex:
+def _by_pair(within: Callable[[Array, slice], Complex], part: slice, frequency: Array) -> Complex:
     """Responses of some pairs at frequencies (s, pairs, m) that differ between pairs."""
     speeds, pairs, count = frequency.shape
     all_pairs = within(frequency.reshape(speeds, -1), part).reshape(speeds, pairs, pairs, count)
@@ -155,19 +149,17 @@ def curve_at(poles: list[tuple[Array, Array]], frequency: Array, peaks: Array) -
     return np.unique(np.concatenate([frequency, about, peaks]))
 
 
-def _amplitudes_about(responses: Complex, poles: Poles) -> Array:
+def _amplitudes_about(values: Complex, poles: Poles) -> Array:
     """Amplitudes about poles (s, pairs, k, about): on an undamped one infinite where the pole takes
     part in the response, else the mean of both sides.
 
     The difference of r / (f − f0) between both sides of the pole grows towards it; that of the
     remainder, which is smooth there, decreases.
     """
-    level = np.abs(responses)
+    level = np.abs(values)
     with np.errstate(invalid="ignore"):
-        close, far = (
-            np.abs(responses[..., MIDDLE + k] - responses[..., MIDDLE - k]) for k in (1, 2)
-        )
-        mean = np.abs(responses[..., MIDDLE - 1] + responses[..., MIDDLE + 1]) / 2.0
+        close, far = (np.abs(values[..., MIDDLE + k] - values[..., MIDDLE - k]) for k in (1, 2))
+        mean = np.abs(values[..., MIDDLE - 1] + values[..., MIDDLE + 1]) / 2.0
         unbounded = (close > far) & (close > ROUNDING * mean)
         level[..., MIDDLE] = np.where(
             poles.undamped[:, None], np.where(unbounded, np.inf, mean), level[..., MIDDLE]
@@ -175,14 +167,14 @@ def _amplitudes_about(responses: Complex, poles: Poles) -> Array:
     return level
 
 
-def _local_maxima(x: Array, samples: Array) -> tuple[Array, Array]:
+def _maxima(x: Array, samples: Array) -> tuple[Array, Array]:
     """Local maxima of ``samples`` (s, pairs, n) at ``x`` (s, n), each with its neighbours:
     abscissae and values (s, pairs, m, 3), NaN where there are fewer."""
     with np.errstate(invalid="ignore"):
         inner = samples[..., 1:-1]
         is_top = (inner > samples[..., :-2]) & (inner >= samples[..., 2:])
-    most = int(is_top.sum(axis=-1).max(initial=0))
-    order = np.argsort(~is_top, axis=-1, kind="stable")[..., :most]
+    count = int(is_top.sum(axis=-1).max(initial=0))
+    order = np.argsort(~is_top, axis=-1, kind="stable")[..., :count]
     exists = np.take_along_axis(is_top, order, axis=-1)[..., None]
     place = order[..., None] + np.arange(3)
     abscissae = np.take_along_axis(x[:, None, None], place, axis=-1)
@@ -210,7 +202,9 @@ def _solved(at: Callable[[Array], Complex], x: Array, size: Array) -> tuple[Arra
 
 def _largest(poles: Poles, x: Array) -> Array:
     """Largest response at ``x`` (s, pairs, m) of a mode to a force, both where it moves most."""
-    centre, width, size = (each[:, None, None] for each in (poles.centre, poles.width, poles.size))
+    centre, width, size = (
+        array[:, None, None] for array in (poles.centre, poles.width, poles.size)
+    )
     with np.errstate(invalid="ignore"):
         height = size / np.hypot(1.0, (x[..., None] - centre) / width)
     return np.asarray(np.nan_to_num(height).max(axis=-1, initial=0.0))
@@ -218,8 +212,8 @@ def _largest(poles: Poles, x: Array) -> Array:
 
 def _ascending(peaks: Peaks) -> Peaks:
     """Sort peaks by frequency; drop entries (s, pairs, m) that no speed and pair needs."""
-    most = int(np.isfinite(peaks.frequency).sum(axis=-1).max(initial=0))
-    order = np.argsort(peaks.frequency, axis=-1, kind="stable")[..., :most]
+    count = int(np.isfinite(peaks.frequency).sum(axis=-1).max(initial=0))
+    order = np.argsort(peaks.frequency, axis=-1, kind="stable")[..., :count]
     frequency = np.take_along_axis(peaks.frequency, order, axis=-1)
     value = np.take_along_axis(peaks.value, order, axis=-1)
     return Peaks(frequency, np.where(np.isnan(frequency), complex(np.nan, np.nan), value))
@@ -228,9 +222,9 @@ def _ascending(peaks: Peaks) -> Peaks:
 def joined(parts: Sequence[tuple[Any, Peaks]], shape: tuple[int, int]) -> Peaks:
     """Join the peaks of groups of pairs, each given with the indices of its pairs; ``shape``:
     (speeds, pairs) of the whole."""
-    most = max((peaks.frequency.shape[-1] for _, peaks in parts), default=0)
-    frequency = np.full((*shape, most), np.nan)
-    value = np.full((*shape, most), complex(np.nan, np.nan))
+    count = max((peaks.frequency.shape[-1] for _, peaks in parts), default=0)
+    frequency = np.full((*shape, count), np.nan)
+    value = np.full((*shape, count), complex(np.nan, np.nan))
     for pairs, peaks in parts:
         frequency[:, pairs, : peaks.frequency.shape[-1]] = peaks.frequency
         value[:, pairs, : peaks.frequency.shape[-1]] = peaks.value

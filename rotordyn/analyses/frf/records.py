@@ -41,8 +41,8 @@ _FORMS = "frequency with real and imaginary, or with amplitude and phase"
 
 
 class Record(NamedTuple):
-    """``quantity`` of ``QUANTITIES`` in SI over frequency [Hz]; ``coherence`` γ² and ``speed``
-    [rad/s] of the spindle where the file has them."""
+    """A measured ``quantity`` of ``QUANTITIES`` in SI over frequency [Hz]; ``coherence`` γ² and
+    ``speed`` [rad/s] of the spindle where the file has them."""
 
     quantity: str
     frequency: tuple[float, ...]
@@ -85,12 +85,8 @@ def _from_uff(path: Path, pair: str, number: int | None) -> Record:
     quantity, scale = _uff_unit(data_set, pair)
     scale *= _sign(data_set, pair)
     coherence = next((other for other in sets if _coherence_of(data_set, other)), None)
-    coherence_values = (
-        () if coherence is None else [complex(value).real for value in coherence["data"]]
-    )
-    record = _record(
-        pair, quantity, frequency, [scale * value for value in values], coherence_values
-    )
+    gamma = () if coherence is None else [complex(value).real for value in coherence["data"]]
+    record = _record(pair, quantity, frequency, [scale * value for value in values], gamma)
     return record._replace(speed=_speed(data_set))
 
 
@@ -214,8 +210,8 @@ def _unit(text: str, pair: str) -> tuple[str, float]:
         unit = None
     factor = 1.0 if accelerated == spelled else STANDARD_GRAVITY
     for quantity in QUANTITIES:
-        wanted = parse_unit(_flat(response_unit(pair, quantity)))
-        if unit is not None and unit.dimension == wanted.dimension:
+        si_unit = parse_unit(_flat(response_unit(pair, quantity)))
+        if unit is not None and unit.dimension == si_unit.dimension:
             return quantity, unit.scale * factor
     allowed = ", ".join(response_unit(pair, quantity) for quantity in QUANTITIES)
     raise InvalidInput(f"not a unit of {pair}: given {shown(text)}; allowed: {allowed}")
@@ -239,19 +235,19 @@ def _from_table(path: Path, pair: str) -> Record:
     coherence_column = columns.get("coherence")
     coherence = [] if coherence_column is None else _scaled(numbers, coherence_column, 1.0)
     quantity, scale = _unit(columns[first][1], pair)
-    first_values = _scaled(numbers, columns[first], scale)
+    first_part = _scaled(numbers, columns[first], scale)
     if second == "imaginary":
-        second_quantity, factor = _unit(columns[second][1], pair)
-        if second_quantity != quantity:
-            raise InvalidInput(f"real part of a {quantity}, imaginary part of a {second_quantity}")
-        imaginary_values = _scaled(numbers, columns[second], factor)
+        other, factor = _unit(columns[second][1], pair)
+        if other != quantity:
+            raise InvalidInput(f"real part of a {quantity}, imaginary part of a {other}")
+        imaginary = _scaled(numbers, columns[second], factor)
         return _record(
-            pair, quantity, frequency, list(map(complex, first_values, imaginary_values)), coherence
+            pair, quantity, frequency, list(map(complex, first_part, imaginary)), coherence
         )
     phase = _scaled(numbers, columns[second], _angle(columns[second][1]))
-    if min(first_values, default=0.0) < 0.0:
-        raise InvalidInput(f"an amplitude below zero: given {min(first_values) / scale:g}")
-    values = [cmath.rect(a, p) for a, p in zip(first_values, phase, strict=True)]
+    if min(first_part, default=0.0) < 0.0:
+        raise InvalidInput(f"an amplitude below zero: given {min(first_part) / scale:g}")
+    values = [cmath.rect(a, p) for a, p in zip(first_part, phase, strict=True)]
     return _record(pair, quantity, frequency, values, coherence)
 
 
@@ -277,10 +273,10 @@ def _columns(header: Sequence[str], pair: str) -> dict[str, tuple[int, str]]:
             columns.setdefault(_WORDS[words[-1]], []).append((place, unit, cell))
     chosen = {}
     for word, places in columns.items():
-        named = [entry for entry in places if pair in entry[2]]
-        if len(places) > 1 and len(named) != 1:
+        naming_pair = [entry for entry in places if pair in entry[2]]
+        if len(places) > 1 and len(naming_pair) != 1:
             raise InvalidInput(f"{len(places)} columns for {word}: one must name {pair}")
-        place, unit, cell = (named or places)[0]
+        place, unit, cell = (naming_pair or places)[0]
         if not unit.strip() and word != "coherence":
             raise InvalidInput(f"column {shown(cell)} has no unit: write it as '{word} [unit]'")
         chosen[word] = (place, unit)

@@ -25,8 +25,8 @@ class FrequencyResponse:
 
     Subclasses add the values at the frequencies of the case, in a field named by ``kind``. Every
     peak at and between them is solved for: ``peak_frequency`` and ``peak_value``, ascending, NaN
-    where there are fewer, infinite for an undamped mode. ``peak_damping``: NaN for a peak of more
-    than one mode; ``light_mode``: empty for damping ratios from ``LIGHT`` up. ``slice_value``:
+    where there are fewer, infinite for an undamped mode. ``peak_damping``: NaN for a peak that no
+    single mode makes; ``light_mode``: empty for damping ratios from ``LIGHT`` up. ``slice_value``:
     response at the slice speeds, at the frequencies of the case and further ones about every mode,
     NaN beyond the last. ``line_value``: response along the engine orders at the speeds of the case;
     ``line_curve``: also at speeds about the critical ones, NaN at which a stop closes. ``measured``
@@ -221,8 +221,8 @@ class FrequencyResponse:
         """Frequencies [Hz] and values of a pair at a slice speed, whose ``index`` counts all
         speeds."""
         row = int(np.flatnonzero(np.flatnonzero(self.is_slice) == index)[0])
-        known = np.isfinite(self.slice_frequency[row])
-        return self.slice_frequency[row, known], self.slice_value[row, pair, known]
+        finite = np.isfinite(self.slice_frequency[row])
+        return self.slice_frequency[row, finite], self.slice_value[row, pair, finite]
 
     def unit(self, pair: int) -> str:
         """SI unit of the values of a pair."""

@@ -45,9 +45,7 @@ from rotordyn.scene.hardly_damped import LIGHT
 from rotordyn.scene.refinement import changes, few_rows, response_accuracy, solve_accurately
 from rotordyn.scene.scene import Scene
 
-Answered = Callable[
-    ..., Complex
-]  # responses by frequency [Hz] and, optionally, a slice of the pairs
+Answered = Callable[..., Complex]  # responses by frequency [Hz], of all pairs or a slice
 DOUBTFUL = 1e-2  # error over the peak, from which a response may be rounding alone
 NOTHING = 1e-9  # of the direct responses at both ends: less is rounding
 GRID = 24  # frequencies at which the finer model is compared, besides those of the modes
@@ -81,11 +79,9 @@ def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
     frequency = np.array(spec.frequencies, dtype=float)
     require_responses("frf", len(scene.usable), len(spec.pairs), len(frequency))
     power = QUANTITIES.index(spec.quantity)
-    requested = _requested(scene, spec)
+    hertz = _requested(scene, spec)
     scene, error = solve_accurately(
-        scene,
-        lambda refined: _errors(refined, spec, requested, power),
-        lambda errors: float(errors.max()),
+        scene, lambda finer: _errors(finer, spec, hertz, power), lambda errors: float(errors.max())
     )
     responses = partial(_responses, spec.pairs, power)
     growing = np.zeros(len(scene.usable), dtype=bool)
@@ -128,18 +124,17 @@ def _on_grid(scene: Scene, spec: FrfSpec, frequency: Array, power: int) -> dict[
         reach = np.linalg.norm(_rows(scene, motions, pairs), axis=2).prod(axis=1)
         reach *= (2.0 * math.pi) ** power
         parts.append((places, peaks_of(responses, poles[-1], frequency, grid, reach, power)))
-    peak_frequency, peak_value = joined(parts, shape)
-    damping = np.full(peak_frequency.shape, np.nan)
+    peak_at, peak = joined(parts, shape)
+    damping = np.full(peak_at.shape, np.nan)
     for (places, _), subsystem in zip(parts, poles, strict=True):
-        damping[:, places] = subsystem.damping_at(peak_frequency[:, places])
+        damping[:, places] = subsystem.damping_at(peak_at[:, places])
     slices = _slices(scene, spec) if len(frequency) else np.zeros(0, dtype=np.intp)
     rows = {index: row for row, index in enumerate(scene.usable.tolist())}
     curves = [frequency] * len(slices)
     for place, index in enumerate(slices.tolist()):
         if (row := rows.get(index)) is not None and poles:
-            tops = peak_frequency[row][
-                np.isfinite(peak_frequency[row]) & np.isfinite(peak_value[row])
-            ]  # no undamped ones
+            # undamped peaks are infinite
+            tops = peak_at[row][np.isfinite(peak_at[row]) & np.isfinite(peak[row])]
             curves[place] = curve_at([subsystem.at(row) for subsystem in poles], frequency, tops)
     longest = max(map(len, curves), default=0)
     slice_frequency = np.full((len(slices), longest), np.nan)
@@ -156,11 +151,11 @@ def _on_grid(scene: Scene, spec: FrfSpec, frequency: Array, power: int) -> dict[
     return {
         "values": scene.scattered(values),
         "is_slice": np.isin(np.arange(len(scene.speed)), slices),
-        "resonance": np.arange(1, peak_frequency.shape[-1] + 1),
-        "peak_frequency": scene.scattered(peak_frequency),
-        "peak_value": scene.scattered(peak_value),
+        "resonance": np.arange(1, peak_at.shape[-1] + 1),
+        "peak_frequency": scene.scattered(peak_at),
+        "peak_value": scene.scattered(peak),
         "peak_damping": scene.scattered(damping),
-        "light_mode": _light_modes(scene, spec, peak_frequency, np.abs(peak_value), damping),
+        "light_mode": _light_modes(scene, spec, peak_at, np.abs(peak), damping),
         "slice_speed": scene.speed[slices],
         "place": np.arange(longest),
         "slice_frequency": slice_frequency,
@@ -178,11 +173,9 @@ def _light_modes(
         return tuple(names)
     turning = scene.conditions.formulation == ROTATING
     speed = scene.speed[scene.usable] if turning else np.zeros(len(scene.usable))
-    branches, mode_names = named(branches_of(scene, Band(BEYOND * spec.frequencies[-1])))
+    branches, titles = named(branches_of(scene, Band(BEYOND * spec.frequencies[-1])))
     for k, places in _by_system(scene, spec.pairs).items():
-        modes = [
-            (b, name) for b, name in zip(branches, mode_names, strict=True) if b.subsystem == k
-        ]
+        modes = [(b, name) for b, name in zip(branches, titles, strict=True) if b.subsystem == k]
         for place in places:
             height = np.where(np.isnan(peak_frequency[:, place]), -1.0, size[:, place])
             row, top = np.unravel_index(height.argmax(), height.shape)
@@ -197,8 +190,8 @@ def _light_modes(
 def _slices(scene: Scene, spec: FrfSpec) -> Indices:
     """Indices, among the speeds of the case, of those drawn as slices."""
     ends = scene.speed[scene.usable[[0, -1]]]
-    wanted = *(spec.slices or ends), *spec.measured_speeds
-    return np.unique([int(np.abs(scene.speed - speed).argmin()) for speed in wanted])
+    drawn_speeds = *(spec.slices or ends), *spec.measured_speeds
+    return np.unique([int(np.abs(scene.speed - speed).argmin()) for speed in drawn_speeds])
 
 
 def _requested(scene: Scene, spec: FrfSpec) -> Array:
@@ -347,13 +340,10 @@ def _near_poles(motions: FreeMotions, frequency: Array) -> Flags:
     """Whether frequencies (f,) [Hz] may lie on the pole of an undamped mode."""
     pole = motions.pole
     with np.errstate(invalid="ignore"):
-        undamped_omega = np.unique(pole.imag[np.abs(pole.real) <= UNDAMPED * np.abs(pole)])
+        poles = np.unique(pole.imag[np.abs(pole.real) <= UNDAMPED * np.abs(pole)])
     omega = 2.0 * math.pi * frequency
-    if not undamped_omega.size:
+    if not poles.size:
         return np.zeros(len(omega), dtype=bool)
-    place = np.searchsorted(undamped_omega, omega)
-    distances = [
-        np.abs(undamped_omega[np.clip(place + k, 0, len(undamped_omega) - 1)] - omega)
-        for k in (-1, 0)
-    ]
+    place = np.searchsorted(poles, omega)
+    distances = [np.abs(poles[np.clip(place + k, 0, len(poles) - 1)] - omega) for k in (-1, 0)]
     return np.asarray(np.minimum(*distances) <= UNDAMPED * omega)

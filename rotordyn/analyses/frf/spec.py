@@ -72,7 +72,7 @@ class FrfSpec(Spec):
         return tuple(response.speed for response in (*self.measured, *coupled))
 
     def highest(self, top: float) -> float:
-        """Highest frequency asked for [Hz], where the fastest rotor turns at ``top`` [rad/s]."""
+        """Highest frequency of the responses [Hz]; ``top``: speed of the fastest rotor [rad/s]."""
         order = max(self.engine_orders, default=0.0)
         return max(*self.frequencies[-1:], order * top / (2.0 * math.pi), 0.0)
 

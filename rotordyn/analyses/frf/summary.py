@@ -31,9 +31,9 @@ def summary(result: FrequencyResponse) -> list[str]:
         for row in range(min(MOST, len(result.line)))
         for pair in range(min(MOST, len(result.pair)))
     ]
-    known = [unbroken(word) for word in entries if word]
-    peaks = [f"peaks      {result.kind}, the highest of each pair: {'; '.join(known)}"]
-    return [*(peaks if known else []), *_measured(result)]
+    listed = [unbroken(word) for word in entries if word]
+    peaks = [f"peaks      {result.kind}, the highest of each pair: {'; '.join(listed)}"]
+    return [*(peaks if listed else []), *_measured(result)]
 
 
 def _highest(result: FrequencyResponse, pair: int) -> str:
@@ -102,8 +102,8 @@ def _line(result: FrequencyResponse, row: int) -> str:
     if not math.isfinite(result.frac[row]):
         return f"{head}: not compared, {_why_not(result, row)}"
     noise = result.measured_error[row]
-    known = f", uncertain by {noise:.1%} by noise" if math.isfinite(noise) else ""
-    return f"{head}: FRAC {result.frac[row]:.3f}{known}{compared}"
+    uncertainty = f", uncertain by {noise:.1%} by noise" if math.isfinite(noise) else ""
+    return f"{head}: FRAC {result.frac[row]:.3f}{uncertainty}{compared}"
 
 
 def _why_not(result: FrequencyResponse, row: int) -> str:
@@ -157,12 +157,12 @@ def _driving_points(result: FrequencyResponse) -> Iterator[str]:
     only where the mistake is recognised. Computed tips of coupled tools are exempt."""
     for row, name in enumerate(result.measured):
         response, excitation = result.measured_pair[row].split(" / ")
-        known = np.nan_to_num(result.measured_frequency[row]) > 0.0
+        positive = np.nan_to_num(result.measured_frequency[row]) > 0.0
         computed = math.isfinite(result.measured_error[row])
-        if response != excitation or computed or known.sum() < LEAST_POINTS:
+        if response != excitation or computed or positive.sum() < LEAST_POINTS:
             continue
-        values = result.measured_response[row, known].tolist()
-        omega = (2.0 * math.pi * result.measured_frequency[row, known]).tolist()
+        values = result.measured_response[row, positive].tolist()
+        omega = (2.0 * math.pi * result.measured_frequency[row, positive]).tolist()
         fault = fault_at_driving_point(values, omega, result.kind)
         if fault and not (fault == NO_DRIVING_POINT and result.measured_speed[row] > 0.0):
             words = fault if fault == NO_DRIVING_POINT else misnamed(result.kind)
@@ -175,17 +175,17 @@ def _hardly_damped(result: FrequencyResponse) -> Iterator[str]:
     for pair in light[:1]:
         row, place = result.highest(pair) or (0, 0)
         ratio = result.peak_damping[row, pair, place]
-        others = f" (and those of {len(light) - 1} more responses)" if len(light) > 1 else ""
-        peak = f"frf: the highest peak of {_highest(result, pair)}{others}"
+        more = f" (and those of {len(light) - 1} more responses)" if len(light) > 1 else ""
+        peak = f"frf: the highest peak of {_highest(result, pair)}{more}"
         yield hardly_damped(peak, result.light_mode[pair], float(ratio))
 
 
 def speeds_compared(result: FrequencyResponse, row: int) -> str:
     """The speed of a measured response, and that of the computed one where it is another."""
     measured = float(result.measured_speed[row])
-    near = float(result.speed[np.abs(result.speed - measured).argmin()])
-    rpm, other = (number(speed * RPM.factor, 0) for speed in (measured, near))
-    same = abs(near - measured) <= SAME * max(near, measured)
+    computed = float(result.speed[np.abs(result.speed - measured).argmin()])
+    rpm, other = (number(speed * RPM.factor, 0) for speed in (measured, computed))
+    same = abs(computed - measured) <= SAME * max(computed, measured)
     return f"{rpm} rpm" if same else f"{rpm} rpm, computed at {other} rpm"
 
 

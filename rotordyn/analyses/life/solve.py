@@ -31,7 +31,7 @@ OIL_FIELDS = (  # NaN without a lubricant
 
 
 def answer(scene: Scene, spec: LifeSpec) -> LifeResult:
-    """Life, safety and heat of every bearing over speed; seats of one batch and rating share it."""
+    """Life, safety and heat of every bearing over speed, once for seats of one batch and rating."""
     state, seats = scene.preload, scene.spindle.seats
     solved = np.array([word == "" for word in scene.outcome])
     ratings = _ratings(scene.spindle, spec)
@@ -55,7 +55,7 @@ def answer(scene: Scene, spec: LifeSpec) -> LifeResult:
     stress = ring_stress(scene.spindle, scene.bearing_speed, scene.temperatures)
     fields = {name: joined(name) for name in columns[0]}
     for name in ("revolutions", "life", "modified_life"):
-        fields[name] = fields[name] * factor**3
+        fields[name] = fields[name] * factor**3  # life goes with C³
     spectrum, safety, unloaded = _spectrum(scene, spec, ratings)
     lubricant = spec.lubricant
     return LifeResult(
@@ -95,13 +95,13 @@ def answer(scene: Scene, spec: LifeSpec) -> LifeResult:
 def _temperatures(scene: Scene) -> Array:
     """Temperatures of balls, inner and outer ring of every bearing (speeds, bearings, 3) [°C]; NaN
     where the conditions give none."""
-    speed, seats, given = scene.bearing_speed, scene.spindle.seats, scene.temperatures
+    speed, seats, temperatures = scene.bearing_speed, scene.spindle.seats, scene.temperatures
     celsius = np.full((len(speed), len(seats), 3), np.nan)
-    if given is not None:
+    if temperatures is not None:
         for k, seat in enumerate(seats):
-            rises = given.rises(seat.name, speed)
+            rises = temperatures.rises(seat.name, speed)
             for place, rise in enumerate((rises.balls, rises.inner, rises.outer)):
-                celsius[:, k, place] = rise + given.reference
+                celsius[:, k, place] = rise + temperatures.reference
     return celsius
 
 
@@ -114,11 +114,11 @@ def _rating_factor(spec: LifeSpec, temperatures: Array) -> Array:
 def _oil_temperatures(scene: Scene, spec: LifeSpec, temperatures: Array) -> dict[int, Array]:
     """Temperatures of the oil by batch of states (speeds, columns) [°C]: those of the balls where
     they follow from the heat of the bearings, else as given."""
-    given = math.nan if spec.lubricant is None else spec.lubricant.temperature
+    specified = math.nan if spec.lubricant is None else spec.lubricant.temperature
     from_heat = scene.conditions.heat_flow is not None
     by_batch: dict[int, Array] = {}
     for k, (balls, column) in enumerate(scene.preload.seat_states()):
-        oil = by_batch.setdefault(id(balls), np.full(balls.outcome.shape, given))
+        oil = by_batch.setdefault(id(balls), np.full(balls.outcome.shape, specified))
         if from_heat:
             oil[:, column] = temperatures[:, k, 0]
     return by_batch
@@ -148,13 +148,13 @@ class _Ratings(NamedTuple):
 
 def _ratings(spindle: Spindle, spec: LifeSpec) -> _Ratings:
     ratings: list[Array] = []
-    for given, computed in (
+    for specified, computed in (
         (spec.dynamic_ratings, bearings.life.dynamic_rating),
         (spec.static_ratings, bearings.life.static_rating),
     ):
         grooves = [computed(seat.bearing) for seat in spindle.seats]
         pairs = zip(spindle.seats, grooves, strict=True)
-        used = [given.get(seat.name, value) for seat, value in pairs]
+        used = [specified.get(seat.name, value) for seat, value in pairs]
         ratings += [np.array(used), np.array(grooves)]
     return _Ratings(*ratings)
 
@@ -189,7 +189,7 @@ def _of_bearings(state: BearingState, rating: _Rating, spec: LifeSpec, oil: Arra
 
 def _lubricated(
     state: BearingState,
-    reference: bearings.life.ReferenceLife,
+    lives: bearings.life.ReferenceLife,
     life: Array,
     spec: LifeSpec,
     at: Array,
@@ -213,11 +213,9 @@ def _lubricated(
     pitch = state.operation.grooves.pitch_diameter
     kappa = bearings.life.viscosity_ratio(lubricant.oil.kinematic(at), state.speed, pitch)
     limit = bearings.life.fatigue_load_limit(static, pitch)
-    factor = bearings.life.life_factor(
-        kappa, lubricant.contamination, limit, reference.equivalent_load
-    )
+    factor = bearings.life.life_factor(kappa, lubricant.contamination, limit, lives.equivalent_load)
     if is_thrust(state.operation.grooves):
-        factor = np.full_like(factor, np.nan)
+        factor = np.full_like(factor, np.nan)  # a_ISO is not known above 45°
     return {
         "inner_heat": losses.inner,
         "outer_heat": losses.outer,

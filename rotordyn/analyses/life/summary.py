@@ -86,19 +86,17 @@ def summary(result: LifeResult) -> list[str]:
 def _static(result: LifeResult) -> str:
     """C0 and Cu of every bearing, their origin, and bearings of which C is given and C0 is not."""
     groups: dict[str, list[str]] = {}
-    only_dynamic = []
+    lacking = []
     for k, name in enumerate(result.bearing):
         used, grooves = result.static_rating[k], result.groove_static_rating[k]
         of = "of the grooves" if used == grooves else "as given"
-        words = f"{used:.0f} {of} (Cu {result.fatigue_limit[k]:.0f})"
-        groups.setdefault(words, []).append(name)
+        rating = f"{used:.0f} {of} (Cu {result.fatigue_limit[k]:.0f})"
+        groups.setdefault(rating, []).append(name)
         if used == grooves and result.dynamic_rating[k] != result.groove_rating[k]:
-            only_dynamic.append(name)
-    entries = ", ".join(unbroken(f"{'/'.join(names)} {words}") for words, names in groups.items())
+            lacking.append(name)
+    entries = ", ".join(unbroken(f"{'/'.join(names)} {rating}") for rating, names in groups.items())
     missing = (
-        f"; {', '.join(only_dynamic)}: C is given and C0 is not (static_ratings)"
-        if only_dynamic
-        else ""
+        f"; {', '.join(lacking)}: C is given and C0 is not (static_ratings)" if lacking else ""
     )
     return f"C0 [N] {entries}{missing}"
 
@@ -111,7 +109,7 @@ def unmodified(result: LifeResult) -> NDArray[np.bool_]:
 
 
 def hours(value: float) -> str:
-    """Hours in three digits.
+    """Hours as text, in three digits.
 
     >>> hours(79320.4), hours(4.2e6), hours(float("inf"))
     ('79300', '> 1e6', '> 1e6')
@@ -122,7 +120,7 @@ def hours(value: float) -> str:
 
 
 def safe(value: float) -> str:
-    """The least static safety.
+    """The least static safety as text.
 
     >>> safe(2.459), safe(1.07e10), safe(float("inf"))
     ('from 2.46', '> 1000', '> 1000')
@@ -194,10 +192,10 @@ def _of_bearing(result: LifeResult, k: int) -> Iterator[str]:
     passing = result.shoulder_margin[:, k] < 0.0
     if passing.any():
         margin = -np.nanmin(result.shoulder_margin[:, k]) * DEGREE.factor
-        lost = percent(np.nanmax(result.lost_load[:, k]))
+        share = percent(np.nanmax(result.lost_load[:, k]))
         yield (
             f"a contact ellipse passes the shoulder by {margin:.2g}° "
-            f"{which_of(result.speed, passing)}, with {lost} of its load; lower the load or raise "
+            f"{which_of(result.speed, passing)}, with {share} of its load; lower the load or raise "
             "the shoulder"
         )
     turning = result.speed > 0.0

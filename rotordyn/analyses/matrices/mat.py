@@ -15,7 +15,7 @@ from rotordyn.results.described import Described
 
 
 def files(folder: Path, case: Described, result: MatricesResult) -> Iterator[File]:
-    """``matrices.mat``."""
+    """The file ``matrices.mat``."""
     path = folder / "matrices.mat"
     yield path.name, partial(write_mat, path, result, case.name)
 

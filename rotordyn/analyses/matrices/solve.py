@@ -55,7 +55,7 @@ def answer(scene: Scene, spec: MatricesSpec) -> MatricesResult:
     stiffness, damping, motion = joined.stiffness, joined.damping, _motion(joined, spec)
     rows = few_rows(scene)
     frequency = _frequencies(scene, spec, rows)
-    by_speed = [
+    direct = [
         _receptances(stiffness[k], damping[k], motion, 2j * math.pi * frequency) for k in rows
     ]
     return MatricesResult(
@@ -70,7 +70,7 @@ def answer(scene: Scene, spec: MatricesSpec) -> MatricesResult:
         damping=scene.scattered(damping),
         gyroscopic=joined.gyroscopic,
         motion=motion,
-        receptance=np.array([np.diagonal(values, axis1=1, axis2=2).T for values in by_speed]),
+        receptance=np.array([np.diagonal(values, axis1=1, axis2=2).T for values in direct]),
         max_frequency=spec.max_frequency,
         frequency_error=poles,
         receptance_error=receptances,
@@ -139,15 +139,13 @@ def _frequencies(scene: Scene, spec: MatricesSpec, rows: Indices) -> Array:
 
 def _receptances(stiffness: Array, damping: Array, motion: Array, s: Any) -> Complex:
     """L (K + s C + s²)⁻¹ Lᵀ (s, ports, ports); NaN on a pole."""
-    unit, receptances = (
+    unit, h = (
         np.eye(len(stiffness)),
         np.empty((len(s), *[len(motion)] * 2), dtype=complex),
     )
-    for k, value in enumerate(s):
+    for k, p in enumerate(s):
         try:
-            receptances[k] = motion @ np.linalg.solve(
-                stiffness + value * damping + value**2 * unit, motion.T
-            )
+            h[k] = motion @ np.linalg.solve(stiffness + p * damping + p**2 * unit, motion.T)
         except np.linalg.LinAlgError:
-            receptances[k] = complex(np.nan, np.nan)
-    return receptances
+            h[k] = complex(np.nan, np.nan)
+    return h

@@ -98,6 +98,7 @@ def _preloaded(scene: Scene, mesh: Mesh) -> Array:
     rows = scene.bearing_row[scene.usable]
     middle = scene.shaft_force.at(mesh.middle)[rows]
     edges = np.stack([mesh.x[:-1], mesh.middle, mesh.x[1:]])
+    # N changes by the weight along the axis between the middle of an element and its ends
     front, half, rear = scene.gravity * mass_in_front(scene.spindle.shaft, edges)
     return np.stack([middle + (half - front), middle - (rear - half)], axis=-1)
 

@@ -48,10 +48,8 @@ class SectionForcesSpec(Spec):
                 "seats",
             )
         weighed = any(word not in ("", "none") for word in (self.gravity, conditions.gravity))
-        other_loads = (
-            spindle.seats or spindle.drawbar or conditions.axial_force or conditions.tension
-        )
-        if not (self.loads or self.line_loads or self.unbalances or weighed or other_loads):
+        acting = spindle.seats or spindle.drawbar or conditions.axial_force or conditions.tension
+        if not (self.loads or self.line_loads or self.unbalances or weighed or acting):
             yield (
                 (),
                 "nothing acts: allowed: at least one of loads, line_loads, unbalances, gravity",
@@ -88,10 +86,10 @@ class SectionForcesSpec(Spec):
     @property
     def places(self) -> tuple[str | float, ...]:
         """Points and stations at which loads act or twist is evaluated."""
-        named = [load.at for load in self.loads] + [load.at for load in self.unbalances]
-        named += [at for span in self.line_loads for at in (span.start, span.to)]
-        named += [at for span in self.twist_limits for at in (span.start, span.to)]
-        return tuple(named)
+        places = [load.at for load in self.loads] + [load.at for load in self.unbalances]
+        places += [at for span in self.line_loads for at in (span.start, span.to)]
+        places += [at for span in self.twist_limits for at in (span.start, span.to)]
+        return tuple(places)
 
 
 def _of_one_part(limit: TwistLimit, spindle: Spindle, path: Path) -> Faults:

@@ -47,10 +47,8 @@ def static_loads(
     for load in spec.loads:
         _put(point, mesh, spindle.place(load.at).x, np.array(load.on_axis))
     for unbalance in spec.unbalances:
-        direction = np.array(
-            [0.0, math.cos(unbalance.angle), math.sin(unbalance.angle), 0.0, 0.0, 0.0]
-        )
-        _put(turning, mesh, spindle.place(unbalance.at).x, unbalance.unbalance * direction)
+        unit = np.array([0.0, math.cos(unbalance.angle), math.sin(unbalance.angle), 0.0, 0.0, 0.0])
+        _put(turning, mesh, spindle.place(unbalance.at).x, unbalance.unbalance * unit)
     line = np.zeros((mesh.nodes - 1, 2, 3))
     for span in spec.line_loads:
         ends = [spindle.place(at).x for at in (span.start, span.to)]

@@ -61,10 +61,8 @@ def _peak(result: SectionForcesResult, row: int, field: str) -> tuple[float, flo
     """The value of largest amount, with its sign, and where it is [m]; 0 for rounding."""
     values = getattr(result, field)[row]
     where = int(np.abs(values).argmax())
-    significant = abs(values[where]) > _least(result, row) * _lever(
-        result, field in MOMENTS.values()
-    )
-    return float(values[where]) if significant else 0.0, float(result.cut[where])
+    loaded = abs(values[where]) > _least(result, row) * _lever(result, field in MOMENTS.values())
+    return float(values[where]) if loaded else 0.0, float(result.cut[where])
 
 
 def _least(result: SectionForcesResult, row: int) -> float:
@@ -99,10 +97,10 @@ def _twists(result: SectionForcesResult) -> Iterator[str]:
     for k, name in enumerate(result.twist_limit):
         angle = np.degrees(np.abs(result.twist_between[:, k]))
         allowed = float(np.degrees(result.allowed_twist[k]))
-        kept = "kept" if np.nanmax(angle) <= allowed else "exceeded"
+        verdict = "kept" if np.nanmax(angle) <= allowed else "exceeded"
         bore = f" around a bore of {result.bore[k] * 1e3:g} mm" if result.bore[k] else ""
         yield (
-            f"twist      {name}: {from_to(angle, 4)}° of {allowed:.4g}° allowed, {kept}; "
+            f"twist      {name}: {from_to(angle, 4)}° of {allowed:.4g}° allowed, {verdict}; "
             f"uniform outer diameter that just keeps to it{bore}: "
             + unbroken(f"{from_to(result.required_diameter[:, k] * 1e3, 2)} mm")
         )

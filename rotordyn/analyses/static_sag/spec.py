@@ -48,10 +48,10 @@ class StaticSagSpec(Spec):
 
     def weight_of(self, conditions: Conditions) -> str:
         """Direction of the weight by which the shaft sags; none along its axis."""
-        given = "" if conditions.gravity == "none" else conditions.gravity
-        if self.gravity is not None or not given:
+        of_conditions = "" if conditions.gravity == "none" else conditions.gravity
+        if self.gravity is not None or not of_conditions:
             return self.gravity or "-y"
-        return given if given in GRAVITY else "none"
+        return of_conditions if of_conditions in GRAVITY else "none"
 
     def _faults(self) -> Faults:
         yield from repeated("ring_runouts", (ring.bearing for ring in self.ring_runouts), "bearing")

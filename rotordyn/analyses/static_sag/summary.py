@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 
 
 def summary(result: StaticSagResult) -> list[str]:
-    """Sag and runout at the slowest speed with a solution, near which they are measured."""
+    """Sag and runout at the slowest speed with a solution, at which they are measured."""
     row = _slowest(result)
     slope = _both(result, result.slope[row] * MICRORADIAN.factor)
     sag = ", ".join(_at_gauges(result, row, result.sag))
@@ -82,8 +82,8 @@ def _at_gauges(result: StaticSagResult, row: int, values: Array) -> Iterator[str
 
 
 def _both(result: StaticSagResult, values: Array) -> str:
-    named = zip(result.direction, values, strict=True)
-    return unbroken(" ".join(f"{name} {_number(float(value))}" for name, value in named))
+    by_direction = zip(result.direction, values, strict=True)
+    return unbroken(" ".join(f"{name} {_number(float(value))}" for name, value in by_direction))
 
 
 def _number(value: float) -> str:

@@ -121,13 +121,13 @@ def radial_curve(problem: Balance, here: Point, force: Array, outcome: Words) ->
     return RadialCurve(deflection, tangent, words, reach, unloading, unloaded, bearings)
 
 
-def _of_bearings(problem: Balance, here: Point) -> Array:
+def _of_bearings(problem: Balance, point: Point) -> Array:
     """Axial load in the bearing's frame, radial load, largest ball load (speeds, seats, 3) [N]."""
-    loads = np.empty((*here.load.shape[:2], 3))
-    loads[..., 0] = here.load[..., 0] * problem.thrust
-    across = [place for place, number in enumerate(problem.dof) if number in (1, 2)]
-    loads[..., 1] = np.linalg.norm(here.load[..., across], axis=-1)
-    for places, balls in here.bearings:
+    loads = np.empty((*point.load.shape[:2], 3))
+    loads[..., 0] = point.load[..., 0] * problem.thrust
+    radial = [place for place, number in enumerate(problem.dof) if number in (1, 2)]
+    loads[..., 1] = np.linalg.norm(point.load[..., radial], axis=-1)
+    for places, balls in point.bearings:
         loads[:, places, 2] = balls.inner_load.max(axis=-1)
     return loads
 
@@ -152,13 +152,13 @@ def _stepped(
         stride = min(stride, 1.0 - share)
         force = ends[0] + (share + stride) * (ends[1] - ends[0])
         balls = [states.ball for _, states in here.bearings]
-        trial, trial_point, trial_converged = balanced(
+        trial, reached, solved = balanced(
             problem, [here.coordinates, *balls], here, force, remaining
         )
-        if (remaining & ~trial_converged).any() and stride > SHORTEST and failed < FAILED:
+        if (remaining & ~solved).any() and stride > SHORTEST and failed < FAILED:
             stride, failed = 0.25 * stride, failed + 1
             continue
-        problem, here, remaining = trial, trial_point, remaining & trial_converged
+        problem, here, remaining = trial, reached, remaining & solved
         share, stride = share + stride, 2.0 * stride
     solved_problem = problem.where(remaining, solved_problem)
     coordinates = np.where(remaining[:, None], here.coordinates, point.coordinates)
@@ -166,21 +166,16 @@ def _stepped(
 
 
 def _located(
-    problem: Balance,
-    here: Point,
-    last: LoadStep,
-    leaving: dict[int, Leaving],
-    seat: int,
-    step: float,
+    problem: Balance, here: Point, last: LoadStep, exits: dict[int, Leaving], seat: int, step: float
 ) -> dict[int, Leaving]:
     """Locate, by speed, the force within the ``step`` [N] after ``last`` at which a ball of a
     ``seat`` loses contact, by solving at further forces."""
-    begin = next(iter(leaving.values())).load[-1]
+    begin = next(iter(exits.values())).load[-1]
     (place, *balls), (slope, *moves) = last.place, last.slope
     failed = set[int]()  # rows without a balance at a trial force: the next one would be the same
     for _ in range(NEARER):
         force, alive = np.full(len(place), begin), np.zeros(len(place), dtype=bool)
-        for row, event in leaving.items():
+        for row, event in exits.items():
             force[row], alive[row] = event.trial, not (event.found or row in failed)
         if not alive.any():
             break
@@ -189,16 +184,16 @@ def _located(
         guess += [x + share[..., None] * dx for x, dx in zip(balls, moves, strict=True)]
         _, point, converged = balanced(problem, guess, here, force, alive)
         failed |= set(np.flatnonzero(alive & ~converged).tolist())
-        for row in [row for row in leaving if converged[row] and alive[row]]:
+        for row in [row for row in exits if converged[row] and alive[row]]:
             lightest, ball = point.lightest[row, seat], point.lightest_ball[row, seat]
-            leaving[row] = leaving[row].after(float(force[row]), float(lightest), int(ball))
-    return leaving
+            exits[row] = exits[row].after(float(force[row]), float(lightest), int(ball))
+    return exits
 
 
-def _load_step(problem: Balance, here: Point, slope: Array) -> LoadStep:
+def _load_step(problem: Balance, point: Point, slope: Array) -> LoadStep:
     return LoadStep(
-        [here.coordinates, *(states.ball for _, states in here.bearings)],
-        [slope, *problem.balls_along(here, slope)],
+        [point.coordinates, *(states.ball for _, states in point.bearings)],
+        [slope, *problem.balls_along(point, slope)],
     )
 
 

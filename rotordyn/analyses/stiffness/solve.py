@@ -53,8 +53,8 @@ def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
     force = np.linspace(0.0, spec.max_force, spec.steps + 1)
     rotor = _rotor(scene, spec)
     variants: dict[str, Variant | RadialCurve] = {}
-    rows, words = scene.bearing_row[scene.usable], np.where(scene.pushed_away, FALLS, "")
-    curves = partial(_nonlinear, scene.preload, rotor, rows, force, words)
+    rows, outcome = scene.bearing_row[scene.usable], np.where(scene.pushed_away, FALLS, "")
+    curves = partial(_nonlinear, scene.preload, rotor, rows, force, outcome)
     nonlinear = None
     if "nonlinear" in spec.variants or spec.second_stop:
         nonlinear = scene.timed("stiffness: nonlinear", curves)
@@ -126,15 +126,15 @@ def _rotor(
 
 def _outcome(scene: Scene, variants: dict[str, Variant | RadialCurve]) -> tuple[str, ...]:
     """Per speed: why the machine, or else the first variant that fails, has no solution."""
-    words = list(scene.outcome)
+    outcome = list(scene.outcome)
     for place, row in enumerate(scene.usable):
         if scene.pushed_away[place]:
-            words[row] = FALLS
+            outcome[row] = FALLS
         rpm = scene.speed[row] * RPM.factor
         for name, variant in variants.items():
-            if variant.outcome[place] and not words[row]:
-                words[row] = f"{name} at {rpm:.0f} rpm: {variant.outcome[place]}"
-    return tuple(words)
+            if variant.outcome[place] and not outcome[row]:
+                outcome[row] = f"{name} at {rpm:.0f} rpm: {variant.outcome[place]}"
+    return tuple(outcome)
 
 
 def _nonlinear(
@@ -144,8 +144,8 @@ def _nonlinear(
     once."""
     distinct, first, place = np.unique(rows, return_index=True, return_inverse=True)
     problem = Balance.at(state, rotor, distinct)
-    here = problem.first_point(state, distinct)
-    return radial_curve(problem, here, force, outcome[first]).at(place)
+    unloaded = problem.first_point(state, distinct)
+    return radial_curve(problem, unloaded, force, outcome[first]).at(place)
 
 
 def _short_stop(scene: Scene, spec: StiffnessSpec, force: Array, nonlinear: RadialCurve) -> Variant:
@@ -159,15 +159,15 @@ def _short_stop(scene: Scene, spec: StiffnessSpec, force: Array, nonlinear: Radi
         state = with_friction(scene.preload.with_travels(spec.second_stop, rows[affected]))
         speeds = scene.state_speed[rows[affected]]
         rotor = _rotor(scene, spec, state.seat_load(), speeds)
-        words = np.where(scene.pushed_away[affected], FALLS, "")
-        curve = _nonlinear(state, rotor, np.arange(affected.size), force, words)
-        words = np.array(state.outcome, dtype=object)
+        outcomes = np.where(scene.pushed_away[affected], FALLS, "")
+        curve = _nonlinear(state, rotor, np.arange(affected.size), force, outcomes)
+        outcomes = np.array(state.outcome, dtype=object)
         buckled = scene.buckled(state.seat_load(), state.seat_stiffness(), speeds)
-        words = np.where(words == "", np.array(buckled, dtype=object), words)
-        solved = words == ""
+        outcomes = np.where(outcomes == "", np.array(buckled, dtype=object), outcomes)
+        solved = outcomes == ""
         deflection[affected] = np.where(solved[:, None], curve.deflection, np.nan)
         tangent[affected] = np.where(solved, curve.tangent, np.nan)
-        outcome[affected] = np.where(solved, curve.outcome, words)
+        outcome[affected] = np.where(solved, curve.outcome, outcomes)
     return Variant(deflection, tangent, outcome.astype(str))
 
 
@@ -239,7 +239,7 @@ def _constant_preload(scene: Scene, rest: Array) -> tuple[Array, NDArray[np.obje
 def _plane_blocks(scene: Scene, stiffness: Array) -> Array:
     """Blocks (…, seats, 2, 2) over (y, θz) of the spindle from tangents in bearing frames."""
     thrust = np.array([float(seat.thrust) for seat in scene.spindle.seats])
-    sign = np.stack([np.ones_like(thrust), thrust], axis=1)
+    sign = np.stack([np.ones_like(thrust), thrust], axis=1)  # z is opposite at thrust −x
     block = stiffness[..., PLANE[1:], :][..., PLANE[1:]]
     return block * sign[:, :, None] * sign[:, None, :]
 

@@ -73,10 +73,10 @@ class StiffnessSpec(Spec):
                 yield ("second_stop", name), sentence
         for support in spindle.supports:
             if support.out_of_plane:
-                across = ", ".join(entry_name(*pair) for pair in support.out_of_plane)
+                entries = ", ".join(entry_name(*pair) for pair in support.out_of_plane)
                 yield (
                     (),
                     f"support '{support.name}' couples plane y or the axis to other motions "
-                    f"({across}): the radial stiffness is solved in plane y alone; ask frf at a "
+                    f"({entries}): the radial stiffness is solved in plane y alone; ask frf at a "
                     "low frequency instead",
                 )

@@ -23,13 +23,13 @@ def summary(result: ThermalPreloadResult) -> list[str]:
         if not solved.size:
             continue
         first, last = solved[0], solved[-1]
-        words = ", ".join(
+        loads = ", ".join(
             unbroken(f"{name} {load[first, k]:.0f} → {load[last, k]:.0f}")
             for k, name in enumerate(result.bearing)
         )
         ends = f"{result.difference[first]:+g} K → {result.difference[last]:+g} K"
         lines.append(
-            f"warming    at {result.speed[index] * RPM.factor:.0f} rpm, {ends} [N]: {words}"
+            f"warming    at {result.speed[index] * RPM.factor:.0f} rpm, {ends} [N]: {loads}"
         )
         lines += _unsolved(result, index)
     return lines
@@ -46,8 +46,8 @@ def _unsolved(result: ThermalPreloadResult, index: int) -> list[str]:
 
 
 def numbers(result: ThermalPreloadResult, _: Described) -> Iterator[Number]:
-    """The largest axial load of any bearing, and the least difference without a state, over
-    speed."""
+    """The largest axial load of any bearing, and the difference of least amount without a
+    state, over speed."""
     largest = np.nan_to_num(result.axial_load, nan=-np.inf).max(axis=(1, 2))
     largest = np.where(np.isinf(largest), np.nan, largest)
     yield from each_speed(result, "load", "N", largest, digits=0)
@@ -68,7 +68,7 @@ def warnings(result: ThermalPreloadResult) -> Iterator[str]:
 
 
 def _least_unsolved(result: ThermalPreloadResult) -> Array:
-    """Difference of least amount without a state [K], at every speed that has a state as specified;
+    """Difference of least amount without a state [K], at every speed that has a state otherwise;
     NaN where all differences have one."""
     least = np.full(len(result.speed), np.nan)
     for row, outcome in enumerate(result.outcome):

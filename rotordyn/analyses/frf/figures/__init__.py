@@ -32,9 +32,9 @@ def figures(_: Described, result: Any, results: Mapping[str, Any]) -> Iterator[J
         if not _unbounded(result):
             yield "frf_surface", partial(code("surface:surface_figure"), result, 0)
         for first in range(1, count, ON_A_PAGE):
-            others = list(range(first, min(first + ON_A_PAGE, count)))
+            pairs_on_page = list(range(first, min(first + ON_A_PAGE, count)))
             name = "frf_maps" + f"_{first // ON_A_PAGE + 1}" * (first > 1)
-            yield name, partial(code("map:map_figure"), result, others, modes)
+            yield name, partial(code("map:map_figure"), result, pairs_on_page, modes)
     for first in range(0, count if len(result.line) else 0, 2):
         pairs = list(range(first, min(first + 2, count)))
         number = f"_{first // 2 + 1}" if count > 2 else ""
@@ -73,10 +73,10 @@ def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
     """Amplitude over frequency of every pair at up to ``MOST_SLICES`` slice speeds, those nearest
     to measured responses first."""
     result = variant.result
-    measured_slices = {nearest_slice(result, float(speed)) for speed in result.measured_speed}
+    first = {nearest_slice(result, float(speed)) for speed in result.measured_speed}
     slices = [
-        *measured_slices,
-        *(k for k in np.flatnonzero(result.is_slice).tolist() if k not in measured_slices),
+        *first,
+        *(k for k in np.flatnonzero(result.is_slice).tolist() if k not in first),
     ]
     x_label = axis_label(result, "frequency")
     for pair, name in enumerate(result.pair):
@@ -102,7 +102,5 @@ def _measured(curve: Curve, result: Any, pair: int, index: int) -> Iterator[Curv
         inside = (x >= result.frequency[0]) & (x <= result.frequency[-1])
         size = np.abs(result.measured_response[row, inside]) * shown(result.unit(pair)).factor
         series = f"{name}, measured at {speed * RPM.factor:.0f} rpm"
-        common = bool(
-            np.isnan(result.measured_error[row])
-        )  # a coupled tip depends on the tool of the variant
+        common = bool(np.isnan(result.measured_error[row]))  # unlike a tip coupled to the tool
         yield curve._replace(x=x[inside], y=size, series=series, backdrop=common)

@@ -117,10 +117,10 @@ def draw_map(
     low, high = limits or amplitude_range(values)
     first = float(rpm[0])
     values = np.minimum(values, high)  # without damping a peak has no limit
-    across = first + (top - first) * (np.arange(_COLUMNS) + 0.5) / _COLUMNS
-    values = nearest(values, rpm, across)
+    pixel_rpm = first + (top - first) * (np.arange(_COLUMNS) + 0.5) / _COLUMNS
+    values = nearest(values, rpm, pixel_rpm)
     if 1 < len(rpm) < LEAST_RASTER:
-        distance = np.abs(across[:, None] - rpm).min(axis=1)
+        distance = np.abs(pixel_rpm[:, None] - rpm).min(axis=1)
         values[distance > BAND * (top - first)] = np.nan
         axes.set_facecolor(UNKNOWN)
     ends = math.log10(low), math.log10(high)
@@ -176,10 +176,10 @@ def draw_scale(
 ) -> None:
     """Draw the colour scale of ``image`` beside its ``box`` [mm]."""
     left, bottom, wide, tall = box
-    beside = (left + wide + 2.5, bottom, 3.0, tall)
+    scale_box = (left + wide + 2.5, bottom, 3.0, tall)
     low, high = image.get_clim()
     scale = colour_scale(
-        figure, beside, low, high, f"|H| [{shown(result.unit(pair)).unit}]", COLOURS
+        figure, scale_box, low, high, f"|H| [{shown(result.unit(pair)).unit}]", COLOURS
     )
     ticks = log_ticks(10.0**low, 10.0**high)
     scale.set_yticks([math.log10(v) for v, _ in ticks], [name for _, name in ticks])

@@ -114,12 +114,10 @@ def _scale(axes: Axes, largest: float) -> None:
     median = float(np.median(values[values > 0.0]))
     if high < SHARP * median:
         return
-    linear_limit = 10.0 ** math.floor(math.log10(median))
-    axes.set_yscale("symlog", linthresh=linear_limit, linscale=0.5)
-    axes.axhspan(-linear_limit, linear_limit, color=PALE_GREY, lw=0.0, zorder=0, label=LINEAR)
-    decades = [
-        10.0**k for k in range(round(math.log10(linear_limit)), math.ceil(math.log10(high)) + 1)
-    ]
+    linear = 10.0 ** math.floor(math.log10(median))
+    axes.set_yscale("symlog", linthresh=linear, linscale=0.5)
+    axes.axhspan(-linear, linear, color=PALE_GREY, lw=0.0, zorder=0, label=LINEAR)
+    decades = [10.0**k for k in range(round(math.log10(linear)), math.ceil(math.log10(high)) + 1)]
     labelled = decades[1 :: 1 + len(decades) // 4]
     axes.set_yticks([-value for value in labelled[::-1]] + [0.0, *labelled])
     axes.yaxis.set_major_formatter(lambda value, _: _power_of_ten(value))

@@ -186,12 +186,12 @@ def _frame(axes: Axes, result: FrequencyResponse, pair: int, limits: Limits, shr
     _axis_names(axes, axis_label(result, "frequency"), unit, shrink)
 
 
-def _axis_names(axes: Axes, across: str, unit: str, shrink: float) -> None:
+def _axis_names(axes: Axes, frequency_label: str, unit: str, shrink: float) -> None:
     middle, edge = 0.5 * _RIGHT, _RIGHT + 0.5 * _BACK
     axes.text(
         middle[0],
         middle[1] - 0.1 * shrink,
-        across,
+        frequency_label,
         ha="center",
         va="top",
         fontsize=FONT_SIZE,

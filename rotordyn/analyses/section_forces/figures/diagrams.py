@@ -160,12 +160,12 @@ def _draw(axes: Axes, curves: Sequence[Curve], quantities: Sequence[str], *, fil
 
 def stations_of(result: SectionForcesResult, spindle: Spindle | None) -> list[stations.Mark]:
     """Stations [mm] of supports, joints and named points; names at one station are joined."""
-    named: dict[float, list[str]] = {}
+    by_station: dict[float, list[str]] = {}
     for name, x in zip(result.support, result.support_station, strict=True):
-        named.setdefault(round(float(x) * 1e3, 6), []).append(name)
+        by_station.setdefault(round(float(x) * 1e3, 6), []).append(name)
     joints = {joint.name: joint.x for joint in spindle.joints} if spindle else {}
     for name, x in (joints | dict(spindle.points) if spindle else {}).items():
-        names = named.setdefault(round(x * 1e3, 6), [])
+        names = by_station.setdefault(round(x * 1e3, 6), [])
         if name not in names:
             names.append(name)
-    return [(x, shortened(", ".join(names), _LONGEST)) for x, names in sorted(named.items())]
+    return [(x, shortened(", ".join(names), _LONGEST)) for x, names in sorted(by_station.items())]

@@ -88,17 +88,9 @@ def _draw(axes: Axes, variant: Shown, row: int, name: str, place: int, title: st
     if result.gauge.any():
         look = {"color": colour(place), "lw": 0.8, "ls": ":", "label": f"test bar, {title}"}
         axes.plot((start - gauges) * MILLIMETRE.factor, bar, **look)
-    gauge_x = (start - result.gauge) * MILLIMETRE.factor
-    reading = result.sag[row, :, k] * MICROMETRE.factor
-    axes.plot(
-        gauge_x,
-        reading,
-        ls="none",
-        marker="v",
-        ms=5.0,
-        color=colour(place),
-        label=f"gauge, {title}",
-    )
+    x = (start - result.gauge) * MILLIMETRE.factor
+    sags = result.sag[row, :, k] * MICROMETRE.factor
+    axes.plot(x, sags, ls="none", marker="v", ms=5.0, color=colour(place), label=f"gauge, {title}")
 
 
 def _write(axes: Axes, variant: Shown, row: int, name: str) -> None:
