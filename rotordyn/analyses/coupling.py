@@ -31,7 +31,7 @@ UNRESPONSIVE = (
 NOISE_ALONE = 0.7  # share of noise from which errors are half of the base and more
 LARGEST = 1e15  # SI units; beyond, products lose all digits or overflow
 TERMS = 20  # of an exponential series of small matrices, which are then below rounding
-SPLIT = 8.0  # λL beyond which a section is split, for e^λL would lose digits
+SPLIT = 8.0  # λL beyond which a section is split, since e^λL would lose digits
 
 
 class Ends(NamedTuple):
@@ -258,7 +258,7 @@ def turning_beam(omega: Array, sections: list[Section], speed: float) -> Ends:
     loss factor is that of the rotating material.
     """
     forward, backward = (beam(omega, sections, sense * speed) for sense in (1.0, -1.0))
-    return Ends(*(_in_planes(a, b) for a, b in zip(forward, backward, strict=True)))
+    return Ends(*(_in_planes(ahead, back) for ahead, back in zip(forward, backward, strict=True)))
 
 
 def _in_planes(forward: Complex, backward: Complex) -> Complex:

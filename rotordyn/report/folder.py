@@ -225,7 +225,7 @@ def _recover(target: Path) -> None:
             lock = locked(path)
             if lock is None and time.time() - path.stat().st_mtime < ABANDONED:
                 continue
-            with suppress(OSError):  # results that stand there already stay
+            with suppress(OSError):  # results that are there already stay
                 os.rename(path / OLD, target)
             shutil.rmtree(path, ignore_errors=True)
         if lock is not None:

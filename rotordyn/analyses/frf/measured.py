@@ -51,9 +51,8 @@ def measured_fields(
             frac[row] = assurance(measured[inside], computed_values)
             peak_at, peak_value = (array[speed_index, pair] for array in peaks)
             is_peak = np.isfinite(peak_at)
-            valleys = np.sqrt(
-                peak_at[is_peak][1:] * peak_at[is_peak][:-1]
-            )  # between peaks nearer than the grid
+            # between peaks closer than the grid, which would otherwise be one
+            valleys = np.sqrt(peak_at[is_peak][1:] * peak_at[is_peak][:-1])
             grid = np.unique(np.concatenate([frequency, peak_at[is_peak], valleys]))
             curve = np.abs(computed(speed_index, grid)[pair])
             curve[np.searchsorted(grid, peak_at[is_peak])] = np.abs(peak_value[is_peak])

@@ -60,7 +60,7 @@ def read_record(path: Path, pair: str, number: int | None) -> Record:
     ------
     InvalidInput : the file cannot be read, or holds something else; one sentence
     """
-    if not os.path.isfile(path):  # also of a name that is none
+    if not os.path.isfile(path):  # False for an invalid name, too
         raise InvalidInput("no such file")
     if path.suffix.lower() != ".csv":
         return _from_uff(path, pair, number)

@@ -139,10 +139,7 @@ def _frequencies(scene: Scene, spec: MatricesSpec, rows: Indices) -> Array:
 
 def _receptances(stiffness: Array, damping: Array, motion: Array, s: Any) -> Complex:
     """L (K + s C + s²)⁻¹ Lᵀ (s, ports, ports); NaN on a pole."""
-    unit, h = (
-        np.eye(len(stiffness)),
-        np.empty((len(s), *[len(motion)] * 2), dtype=complex),
-    )
+    unit, h = (np.eye(len(stiffness)), np.empty((len(s), *[len(motion)] * 2), dtype=complex))
     for k, p in enumerate(s):
         try:
             h[k] = motion @ np.linalg.solve(stiffness + p * damping + p**2 * unit, motion.T)

@@ -77,6 +77,7 @@ def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
         loads = nonlinear.bearings
         force_lost = nonlinear.unloading
         ball = np.where(np.isfinite(force_lost), nonlinear.unloaded, np.nan)
+    # balls of a bearing at thrust −x count against the azimuth of the spindle
     per_ball = np.array([2.0 * math.pi * seat.thrust / seat.bearing.balls for seat in seats])
     return StiffnessResult(
         speed=scene.speed,
