@@ -1,4 +1,4 @@
-"""Published and measured values beside what was computed."""
+"""Published and measured values beside computed ones."""
 
 from __future__ import annotations
 

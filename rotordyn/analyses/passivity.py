@@ -1,6 +1,6 @@
-"""Whether measured receptances are those of a passive structure, which shows what was exchanged.
+"""Test of measured receptances for passivity, which reveals exchanged columns, signs or files.
 
-With e^{+iωt} a force takes power from no structure that is passive: the imaginary part of a
+With e^{+iωt} a force takes no power from a passive structure: the imaginary part of a
 receptance at its driving point is nowhere positive, nor is the matrix of imaginary parts of two
 points. At rest, receptances are reciprocal.
 """

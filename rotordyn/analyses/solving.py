@@ -34,9 +34,9 @@ class Answers:
     """Results by analysis name; seconds by stage, and its first caller (``asked``); residuals where
     errors are estimated.
 
-    ``skipped``: stages that did not run -> why; ``spared``: what the structure of the machine
-    saved. ``warnings``: what a designer should know about the machine; ``notes``: what was chosen
-    that changes how the results read. Sentences. ``stop``: what ended the run before all analyses
+    ``skipped``: stages that did not run -> why; ``spared``: work that the structure of the
+    machine saves. ``warnings``: on the machine, for its designer; ``notes``: on choices that change
+    how results read. Sentences. ``stop``: what ended the run before all analyses
     had results.
     """
 

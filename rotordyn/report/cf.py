@@ -58,7 +58,7 @@ def _powers(unit: str) -> dict[str, int]:
 
 
 def about(case: str, title: str, digest: str) -> dict[str, str]:
-    """Attributes of a whole file: what it is, what wrote it from what, and when."""
+    """Attributes of a whole file: title, source, history, sign convention, case and digest."""
     now = datetime.now(UTC).strftime("%Y-%m-%dT%H:%M:%SZ")
     return {
         "Conventions": CONVENTIONS,

@@ -1,4 +1,4 @@
-"""How a result says what its numbers are: dimensions, unit and label travel with every field.
+"""Declarations of the fields of results: each field carries its dimensions, unit and label.
 
 A result is a frozen dataclass. Its array fields are declared with ``quantity`` (data over named
 dimensions) or ``coordinate`` (the values of one dimension); everything else about files, tables and
@@ -15,9 +15,9 @@ from rotordyn.results.display import Shown, shown
 
 
 class Absence(NamedTuple):
-    """Why a quantity has no finite number where no outcome says so, and where that is.
+    """Why a quantity has no finite number where no outcome gives the reason, and where.
 
-    ``words`` follow "NaN" or "infinite". It is so for whole slices along ``by`` (none: everywhere
+    ``words`` follow "NaN" or "infinite". It applies to whole slices along ``by`` (none: everywhere
     or nowhere); or ``beside`` another field that is NaN, infinite, zero, false or empty there; or
     behind the ``last`` number along a dimension.
     """

@@ -1,4 +1,4 @@
-"""The unit in which an engineer reads each SI quantity: for tables and figures only."""
+"""Printed unit of each SI quantity, for tables and figures only."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ _ENGINEERING = {
 
 
 def shown(unit: str) -> Shown:
-    """How a value of SI ``unit`` is printed; unknown units stay as they are."""
+    """Printed unit of values in SI ``unit``; unknown units stay as they are."""
     return _ENGINEERING.get(unit, Shown(unit))
 
 

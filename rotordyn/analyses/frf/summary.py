@@ -61,7 +61,7 @@ def _along(result: FrequencyResponse, row: int, pair: int) -> str:
 
 
 def _size(result: FrequencyResponse, pair: int, size: float) -> str:
-    """A value in its printed unit; of displacement over force its inverse as well."""
+    """A value in its printed unit; displacement over force is followed by its inverse."""
     to = shown(result.unit(pair))
     if not math.isfinite(size):
         return "unbounded (no damping)"

@@ -1,4 +1,4 @@
-"""Fewer points that still show every peak."""
+"""Decimation of curves that keeps every peak."""
 
 from __future__ import annotations
 

@@ -55,8 +55,8 @@ def draw_surface(
 ) -> None:
     """Draw the surface with its frame.
 
-    ``limits`` of the height [printed unit], by default its own; ``shrink``: by what factor the
-    panel is smaller than a full figure, so that its text finds room.
+    ``limits`` of the height [printed unit], by default its own; ``shrink``: factor by which
+    the panel is smaller than a full figure, which leaves room for its text.
     """
     axes.set_axis_off()
     frequency, rpm, height, limits = _grid(result, pair, limits)

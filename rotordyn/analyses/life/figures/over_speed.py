@@ -58,7 +58,7 @@ def heat_figure(result: LifeResult) -> Figure:
 
 
 def temperature_figure(result: LifeResult) -> Figure:
-    """Temperatures of balls and rings, and the life that goes with them."""
+    """Temperatures of balls and rings, and the life at these."""
     parts = {"balls": "ball", "inner ring": "inner", "outer ring": "outer"}
     names = [f"temperature, {part} [°C]" for part in parts]
     figure, axes = four_over_speed([*names, "life L10r [h]"], result.speed)
