@@ -102,7 +102,7 @@ class OnMeasured:
         return fit.carried(omega, derivative)
 
     def _too_few_modes(self, plane: str) -> str:
-        """Sentence on why the misfit of a plane is not noise; empty if more modes do not halve it."""
+        """Sentence on why a misfit is not noise; empty where more modes do not halve it."""
         fit, best = self.fits[plane], self._fit(plane, None)
         if best.misfit > FEW * fit.misfit:
             return ""
