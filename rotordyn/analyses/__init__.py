@@ -1,6 +1,6 @@
-"""The analyses, one folder each, and what a case asks of them: the door to all specs.
+"""The analyses, one folder each, and the specs by which a case specifies them.
 
-A spec is found by the record of its analysis; ``_MODULE_OF`` has what is not.
+A spec is looked up in the record of its analysis; ``_MODULE_OF`` has the modules of other names.
 """
 
 from __future__ import annotations

@@ -2,20 +2,19 @@
 
 To add an analysis:
 
-1. ``spec.py``: a frozen ``Spec`` (``scene.spec``) in SI, what a case asks: its fields are the keys
-   of files, its rules those of the analysis. It imports nothing heavy.
+1. ``spec.py``: a frozen ``Spec`` (``scene.spec``) in SI, the input of the analysis: its fields are
+   the keys of files, its rules those of the analysis. It imports nothing heavy.
 2. ``result.py``: a frozen dataclass whose fields are declared with ``coordinate`` and ``quantity``
    (``results.declaration``); a field ``speed`` and an ``outcome`` that says why values are missing.
    Datasets and ``results.nc`` follow from the declaration.
 3. ``solve.py``: ``answer(scene, spec)`` for a spindle, for a single bearing
    ``answer(bearing, conditions, speed, spec)``; gives the result.
 4. ``tables.py``: a ``Layout`` for every CSV table.
-5. ``summary.py``: its lines of the summary, its headline numbers, what is said of its accuracy, its
-   warnings.
+5. ``summary.py``: its lines of the summary, its headline numbers, its accuracy, its warnings.
 6. ``figures/``: ``__init__`` says which figures a result has, further files draw them; only
-   these import matplotlib. What draws the main figure does so onto axes that it is given.
-7. ``known.py``: what may be compared with published and measured values.
-8. ``page.py``: what an HTML page shows beyond curves and headline numbers.
+   these import matplotlib. The main figure is drawn onto axes that its function is given.
+7. ``known.py``: values to compare with published and measured ones.
+8. ``page.py``: blocks of an HTML page besides curves and headline numbers.
 9. The record in ``__init__.py``: ``in_folder(__name__, …)`` for code in the files above, under the
    names of ``PLACES``. Code is named by text, ``Code(__name__, "uff:files")``, and imported when it
    is first called: reading a case imports specs alone.
@@ -83,59 +82,59 @@ def _same(spec: Any) -> Any:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Analysis:
-    """An analysis; ``case`` is what ``results.described.Described`` says of a case.
+    """Record of an analysis; a ``case`` is given as ``results.described.Described``.
 
-    ``name``: in cases and results. ``machine``: what it is asked of. ``spec``: class of what a case
-    asks. ``place``: among the others, in lists, summaries and tables. ``bearings``: it needs a
-    spindle with bearings. ``solve``: from the scene (or the bearing) and the spec to the result.
+    ``name``: in cases and results. ``machine``: what it analyses. ``spec``: class of its input.
+    ``place``: its order in lists, summaries and tables. ``bearings``: it needs a spindle with
+    bearings. ``solve``: from the scene (or the bearing) and the spec to the result.
 
     Before it is solved:
 
-    - ``highest(spec, top)``: highest frequency asked for [Hz], ``top`` the fastest rotor [rad/s];
-    - ``forced``: a force swings up to that frequency, which elements must carry;
-    - ``over_time(spec)``: motion is followed over time from rest on, with a limit also where
-      nothing damps it;
-    - ``unsteady``: it has an answer also where no speed has a steady state;
+    - ``highest(spec, top)``: highest frequency it needs [Hz], ``top`` the fastest rotor [rad/s];
+    - ``forced``: forces act up to that frequency, at which elements must be accurate;
+    - ``over_time(spec)``: motion is followed over time from rest on, finite also without
+      damping;
+    - ``unsteady``: it has a result also where no speed has a steady state;
     - ``ports(spec)``: points and stations [m] where forces act or responses are read;
-    - ``marks(spindle, spec)``: the spindle with what the spec puts on it.
+    - ``marks(spindle, spec)``: the spindle with what the spec mounts on it.
 
-    What is made of a result:
+    From a result:
 
     - ``figures(case, result, results)``: pairs of name and function that draws, ``results`` all of
-      the case; ``costs``: of figures that take long, drawn first where the number is higher;
-    - ``tables``, and ``further_tables(result)``: those that no layout gives;
+      the case; ``costs``: of figures that take long; the highest are drawn first;
+    - ``tables``, and ``further_tables(result)``: tables without a layout;
     - ``files(folder, case, result)``: further files, pairs of name and function that writes;
-      one that lacks a package of others, or raises ``LeftOut``, is left out with a note;
-    - ``pictures(parts, beside)``: pictures that another process makes meanwhile, a context
+      one whose package is missing, or that raises ``LeftOut``, is omitted with a note;
+    - ``pictures(parts, beside)``: pictures that another process renders meanwhile, a context
       (``figures.draw.Pictures``); ``parts``: case and result by folder; ``beside``: where its files
-      may stand, None for the system's place of such files;
+      may be, None for the system's folder of temporary files;
     - ``summary(result)``: lines; ``accuracy(result)``: phrases; ``warnings(result)``: sentences.
 
     Variants are compared by what these declare, without further code:
 
     - ``panels(spec, variants)``: figures drawn small, once for each variant (``figures.panels``);
     - ``curves(spec, variant)``: headline curves (``results.headline.Curve``) of one variant
-      (``results.described.Shown``), laid over those of the others;
+      (``results.described.Shown``), overlaid with those of the others;
     - ``numbers(result, case)``: headline numbers (``results.headline.Number``), a row of the table
-      under ``heading``; ``over``: the speeds of the result that they are about;
-    - ``lacking(result)``: headline numbers, NaN, that other machines have where this one has none;
-      ``unlisted(result)``: coordinates of words, and the entries that others have.
+      under ``heading``; ``over``: the coordinate of their speeds;
+    - ``lacking(result)``: headline numbers, NaN, that other machines have and this one has not;
+      ``unlisted(result)``: coordinates of words, and entries that other machines have.
 
-    An HTML page shows of it, in a section named ``title`` (by default its name):
+    An HTML page shows, in a section named ``title`` (by default its name):
 
     - ``page(spec, variants)``: blocks (``page.blocks``) made of the variants of a case, or of its
-      only machine (``results.described.Shown``). Where it is left out: its ``curves``, or, without
-      any, its declared quantities over speed.
+      only machine (``results.described.Shown``). Without it: its ``curves``, or, without any,
+      its declared quantities over speed.
 
     Many machines are solved for these numbers and curves alone (intervals):
 
     - ``lean(spec)``: a spec that costs less and gives the same numbers and curves;
-    - ``speeds(spec)``: speeds [rad/s] at which they must be known, besides the first and the last.
+    - ``speeds(spec)``: speeds [rad/s] at which they are needed, besides the first and the last.
 
-    Beside what is published or measured:
+    For comparison with published or measured values:
 
-    - ``known(reference, result, spindle)``: values (SI) to put beside a reference, NaN at speeds
-      without one, or None where the reference is about something else.
+    - ``known(reference, result, spindle)``: values (SI) to compare with a reference, NaN at speeds
+      without one, or None for a reference of other quantities.
     """
 
     name: str
@@ -190,9 +189,9 @@ PLACES = {
 
 
 def in_folder(package: str, *also: str, **declared: Any) -> Analysis:
-    """The analysis whose folder is ``package``, which gives its name, with code in ``PLACES``:
-    what solves, draws, lays curves over others and sums up, numbers where it has a ``heading``,
-    and ``also`` the parts named. ``declared``: further fields of ``Analysis``."""
+    """The analysis whose folder is ``package``, which gives its name. Its code is at ``PLACES``:
+    solver, figures, curves and summary, numbers where it has a ``heading``, and the parts named
+    by ``also``. ``declared``: further fields of ``Analysis``."""
     parts = (
         "solve",
         "figures",

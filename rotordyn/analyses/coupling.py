@@ -23,7 +23,7 @@ from rotordyn.errors import InvalidInput
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Indices = NDArray[np.intp]
-LOST = 1e-11  # of a receptance: what is left of a difference is rounding
+LOST = 1e-11  # of a receptance: a smaller difference is rounding
 UNRESPONSIVE = (
     "the tip of the blank does not respond to the base, whose receptance then stays unknown: take "
     "a shorter or stiffer blank"
@@ -31,7 +31,7 @@ UNRESPONSIVE = (
 NOISE_ALONE = 0.7  # share of noise from which errors are half of the base and more
 LARGEST = 1e15  # SI units; beyond, products lose all digits or overflow
 TERMS = 20  # of an exponential series of small matrices, which are then below rounding
-SPLIT = 8.0  # λL beyond which a section is split, for e^λL would lose digits
+SPLIT = 8.0  # λL beyond which a section is split, since e^λL would lose digits
 
 
 class Ends(NamedTuple):
@@ -55,9 +55,9 @@ def couple(tool: Ends, base: Complex, joint: Complex | None = None) -> Complex:
     InvalidInput : matrices of unlike size, or directions
     """
     _refuse_unlike(tool, base)
-    across = tool.r22 + base + _flexibility(joint, base)
+    interface = tool.r22 + base + _flexibility(joint, base)
     try:
-        tip = np.asarray(tool.r11 - tool.r12 @ np.linalg.solve(across, tool.r21))
+        tip = np.asarray(tool.r11 - tool.r12 @ np.linalg.solve(interface, tool.r21))
     except np.linalg.LinAlgError:
         tip = np.full_like(base, np.nan)
     if not np.isfinite(tip).all():
@@ -73,9 +73,9 @@ def uncouple(tool: Ends, tip: Complex, joint: Complex | None = None, noise: floa
 
     It is ill-conditioned where the tip does not respond to the base: near the poles of the blank
     held at its joint, and with a blank as soft or as stiff as the whole. A short and stiff blank
-    is best, and a modal fit of what was measured comes first.
+    is best, and measured responses are fitted by modes first.
 
-    noise : standard deviation of the entries of ``tip`` over their size; 0 asks for rounding alone
+    noise : standard deviation of the entries of ``tip`` over their size; 0: rounding alone
 
     Raises
     ------
@@ -111,12 +111,12 @@ def amplification(tool: Ends, tip: Complex, joint: Complex | None = None) -> Arr
 def _amplified(tool: Ends, tip: Complex, base: Complex) -> Array:
     left = tool.r21 @ np.linalg.inv(tool.r11 - tip)
     right = np.linalg.solve(tool.r11 - tip, tool.r12)
-    before, error, after = (np.abs(each) ** 2 for each in (left, tip, right))
+    before, error, after = (np.abs(matrix) ** 2 for matrix in (left, tip, right))
     return np.asarray(np.sqrt(before @ error @ after) / np.abs(base))
 
 
 def _refuse_noise(noise: float, tool: Ends, tip: Complex, base: Complex) -> None:
-    """Refuse a blank behind which noise leaves nothing of the base at half of the frequencies.
+    """Refuse a blank with which noise hides the base at half of the frequencies.
 
     Where noise dominates, the base computed from it consists of noise: their ratio stays about 1.
     """
@@ -137,8 +137,8 @@ def _refuse_noise(noise: float, tool: Ends, tip: Complex, base: Complex) -> None
 
 
 def between_points(front: Ends, rear: Ends | None) -> Ends:
-    """Receptances of a blank between the translations of two of its points and its joint, to be
-    taken off what was measured there by ``uncouple``: exact, without rotations.
+    """Receptances of a blank between the translations of two of its points and its joint, with
+    which ``uncouple`` removes it from those measured there: exact, without rotations.
 
     front, rear : free bodies from the tip to the second point, and from there to the joint; None
         where the second point is at the joint
@@ -146,9 +146,9 @@ def between_points(front: Ends, rear: Ends | None) -> Ends:
     if rear is None:
         rows = (front.r11, front.r12), (front.r21, front.r22)
         return _between(rows, np.array([2, 3]))
-    across = front.r22 + rear.r11
+    interface = front.r22 + rear.r11
     by_tip, by_middle, by_joint = (
-        np.linalg.solve(across, each) for each in (front.r21, front.r22, rear.r12)
+        np.linalg.solve(interface, matrix) for matrix in (front.r21, front.r22, rear.r12)
     )
     parts = (
         (front.r11 - front.r12 @ by_tip, front.r12 - front.r12 @ by_middle, front.r12 @ by_joint),
@@ -159,11 +159,11 @@ def between_points(front: Ends, rear: Ends | None) -> Ends:
 
 
 def _between(parts: Sequence[Sequence[Complex]], joint: Indices) -> Ends:
-    """Of matrices (f, 2, 2) between tip, second point and joint the translations of the first two,
-    and the motion of the ``joint`` by its rows."""
-    whole = np.concatenate([np.concatenate(row, axis=2) for row in parts], axis=1)
+    """Receptances between the translations of tip and second point, and the ``joint`` by its rows,
+    from all matrices (f, 2, 2) between tip, second point and joint."""
+    blocks = np.concatenate([np.concatenate(row, axis=2) for row in parts], axis=1)
     points = np.array([0, 2])
-    return Ends(*(whole[:, a[:, None], b] for a in (points, joint) for b in (points, joint)))
+    return Ends(*(blocks[:, a[:, None], b] for a in (points, joint) for b in (points, joint)))
 
 
 def joint_flexibility(
@@ -192,7 +192,7 @@ def joint_flexibility(
 class Section(NamedTuple):
     """A uniform part of a shaft at rest, exact by Timoshenko's theory [SI].
 
-    ``stiff_diameter``: that of the solid cylinder which bends as much, 0 is ``outer``; a fluted
+    ``stiff_diameter``: of the solid cylinder of equal bending stiffness, 0: ``outer``; a fluted
     part has 0.8 of its own (Kops and Vo 1990, abstract read). ``loss_factor`` of the material.
     """
 
@@ -210,7 +210,7 @@ class Section(NamedTuple):
 def beam(omega: Array, sections: list[Section], speed: float = 0.0) -> Ends:
     """Receptances (f, 2, 2) of a free shaft of sections in order from its tip to its joint.
 
-    omega : angular frequencies (f,) above 0, for the body floats at 0 [rad/s]
+    omega : angular frequencies (f,) above 0: a free body has no static receptance [rad/s]
     speed : of rotation [rad/s]; receptances are then those of whirl in its sense
     """
     if not sections:
@@ -219,28 +219,28 @@ def beam(omega: Array, sections: list[Section], speed: float = 0.0) -> Ends:
         _refuse_section(section)
     if not (omega > 0.0).all():
         raise InvalidInput("frequencies: a free body has receptances above 0 Hz only")
-    whole: Ends | None = None
+    body: Ends | None = None
     for section in sections:
         for _ in range(count := _pieces(section, float(omega.max()))):
             piece = _uniform(omega, section._replace(length=section.length / count), speed)
-            whole = piece if whole is None else _joined(whole, piece)
-    assert whole is not None
-    return whole
+            body = piece if body is None else _joined(body, piece)
+    assert body is not None
+    return body
 
 
 def _refuse_section(section: Section) -> None:
     """Refuse a section that no shaft can have."""
     positive = (section.length, section.young, section.density, section.outer)
-    others = (section.inner, section.loss_factor, section.stiff_diameter, section.area)
+    not_negative = (section.inner, section.loss_factor, section.stiff_diameter, section.area)
     stiff = section.stiff_diameter or section.outer
-    known = all(map(finite, (*positive, *others, section.poisson)))
+    are_finite = all(map(finite, (*positive, *not_negative, section.poisson)))
     if (
-        not known
+        not are_finite
         or min(positive) < 1.0 / LARGEST
-        or max(*positive, *others) > LARGEST
+        or max(*positive, *not_negative) > LARGEST
         or not -1.0 < section.poisson <= 0.5
         or 0.0 < section.area < 1.0 / LARGEST
-        or min(others) < 0.0
+        or min(not_negative) < 0.0
         or section.inner >= stiff
     ):
         raise InvalidInput(
@@ -251,27 +251,27 @@ def _refuse_section(section: Section) -> None:
 
 
 def turning_beam(omega: Array, sections: list[Section], speed: float) -> Ends:
-    """Receptances (f, 4, 4) of a free shaft that turns at ``speed`` [rad/s] from y to z: rows y,
+    """Receptances (f, 4, 4) of a free shaft that rotates at ``speed`` [rad/s] from y to z: rows y,
     dy/dx, z, dz/dx, which the gyroscopic effect couples.
 
     In a whirl y + i z at ω the rotary inertia is that of ω² − 2 ω Ω; backward whirl has −ω. The
-    loss factor turns with the shaft.
+    loss factor is that of the rotating material.
     """
-    ahead, back = (beam(omega, sections, sense * speed) for sense in (1.0, -1.0))
-    return Ends(*(_in_planes(one, other) for one, other in zip(ahead, back, strict=True)))
+    forward, backward = (beam(omega, sections, sense * speed) for sense in (1.0, -1.0))
+    return Ends(*(_in_planes(ahead, back) for ahead, back in zip(forward, backward, strict=True)))
 
 
-def _in_planes(ahead: Complex, back: Complex) -> Complex:
+def _in_planes(forward: Complex, backward: Complex) -> Complex:
     """Receptances (f, 4, 4) in both planes from those of forward and backward whirl (f, 2, 2)."""
-    same, across = 0.5 * (ahead + back), -0.5j * (ahead - back)
-    upper, lower = (np.concatenate(row, axis=2) for row in ((same, -across), (across, same)))
+    direct, cross = 0.5 * (forward + backward), -0.5j * (forward - backward)
+    upper, lower = (np.concatenate(row, axis=2) for row in ((direct, -cross), (cross, direct)))
     return np.concatenate([upper, lower], axis=1)
 
 
 def _joined(first: Ends, second: Ends) -> Ends:
     """Two free bodies in series, coupled rigidly, as one."""
-    across = first.r22 + second.r11
-    to_first, to_second = (np.linalg.solve(across, each) for each in (first.r21, second.r12))
+    interface = first.r22 + second.r11
+    to_first, to_second = (np.linalg.solve(interface, matrix) for matrix in (first.r21, second.r12))
     return Ends(
         first.r11 - first.r12 @ to_first,
         first.r12 @ to_second,
@@ -299,7 +299,7 @@ def _uniform(omega: Array, section: Section, speed: float) -> Ends:
     area = section.area or np.pi / 4.0 * (section.outer**2 - inner**2)
     stiff_area = np.pi / 4.0 * (stiff**2 - inner**2)
     second = np.pi / 64.0 * (stiff**4 - inner**4)
-    # bending, shear and rotary inertia by the diameter that bends as much, mass by the true area
+    # bending, shear and rotary inertia by the equivalent diameter, mass by the true area
     kappa = _shear_coefficient(section.poisson, inner / stiff)
     length, bending, size = section.length, young * second, section.young * second
     a = np.zeros((len(omega), 4, 4), dtype=complex)
@@ -318,12 +318,12 @@ def _uniform(omega: Array, section: Section, speed: float) -> Ends:
     units = np.array([1.0, 1.0 / length])[:, None] / np.array([scale[3], scale[2]])
     mirrored = np.array([[1.0, -1.0], [-1.0, 1.0]])  # slopes, seen from the other end
     free = r11, r12, np.swapaxes(r12, 1, 2), mirrored * r11
-    return Ends(*(each * units for each in free))
+    return Ends(*(matrix * units for matrix in free))
 
 
 def _exponential(a: Complex) -> Complex:
-    """e^a of matrices (f, 4, 4) of beams: they take deflections and moments to slopes and forces,
-    and these to those.
+    """e^a of matrices (f, 4, 4) of beams, which map deflections and moments to slopes and forces,
+    and vice versa.
 
     So X = a² has two double eigenvalues, X^k = u X + v follows from their sum and product, and the
     series of e^a = cosh √X + a sinh √X / √X are those of u and v.
@@ -342,8 +342,8 @@ def _exponential(a: Complex) -> Complex:
         even += u, v
         odd += u / (order + 1), v / (order + 1)
     (u, v), (w, x) = even[..., None, None], odd[..., None, None]
-    one = np.eye(4)
-    return np.asarray(u * square + v * one + a @ (w * square + x * one))
+    unit = np.eye(4)
+    return np.asarray(u * square + v * unit + a @ (w * square + x * unit))
 
 
 def _shear_coefficient(poisson: float, ratio: float) -> float:
@@ -384,16 +384,16 @@ def _flexibility(joint: Complex | None, like: Complex) -> Complex:
 
 
 def _refuse_unlike(tool: Ends, other: Complex) -> None:
-    """Refuse receptances that are no matrices of one shape, or hold no finite numbers."""
-    for each in (*tool, other):
-        if getattr(each, "dtype", np.dtype(object)).kind not in "fc":
+    """Refuse receptances that are not matrices of one shape, or not of finite numbers."""
+    for matrix in (*tool, other):
+        if getattr(matrix, "dtype", np.dtype(object)).kind not in "fc":
             raise InvalidInput("receptances: they must be arrays of complex numbers (f, n, n)")
-    for each in (*tool, other):
-        if each.shape != other.shape or each.ndim != 3 or each.shape[1] != each.shape[2]:
+    for matrix in (*tool, other):
+        if matrix.shape != other.shape or matrix.ndim != 3 or matrix.shape[1] != matrix.shape[2]:
             raise InvalidInput(
-                f"receptances of unlike size: given {each.shape} and {other.shape}; allowed: "
+                f"receptances of unlike size: given {matrix.shape} and {other.shape}; allowed: "
                 "(f, n, n) for all, of the same frequencies and the same directions at tip, joint "
                 "and base"
             )
-        if not (np.abs(each) < LARGEST).all():
+        if not (np.abs(matrix) < LARGEST).all():
             raise InvalidInput("a receptance is no finite number: leave out its frequency")

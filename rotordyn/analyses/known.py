@@ -1,4 +1,4 @@
-"""Published and measured values beside what was computed."""
+"""Published and measured values beside computed ones."""
 
 from __future__ import annotations
 
@@ -18,26 +18,26 @@ from rotordyn.results.known import Match
 def matches(
     references: Sequence[Reference], results: Mapping[str, Any], spindle: Spindle | None
 ) -> list[Match]:
-    """Every reference, at the speeds for which the results hold something to put beside it."""
+    """References with computed values beside them, at the speeds at which there are any."""
     matched = []
     for reference in dict.fromkeys(references):
         values = _computed(reference, results, spindle)
         if values is None or not np.isfinite(values).any():
             continue
-        kept = np.flatnonzero(np.isfinite(values))
-        known = replace(
+        finite = np.flatnonzero(np.isfinite(values))
+        compared = replace(
             reference,
-            speeds=tuple(reference.speeds[k] for k in kept),
-            values=tuple(reference.values[k] for k in kept),
+            speeds=tuple(reference.speeds[k] for k in finite),
+            values=tuple(reference.values[k] for k in finite),
         )
-        matched.append(Match(known, tuple(float(values[k]) for k in kept)))
+        matched.append(Match(compared, tuple(float(values[k]) for k in finite)))
     return matched
 
 
 def _computed(
     reference: Reference, results: Mapping[str, Any], spindle: Spindle | None
 ) -> Array | None:
-    """Our value for every value of the reference, NaN outside the speeds computed."""
+    """Computed value for every value of a reference, NaN at speeds without one; None for none."""
     for name, result in results.items():
         known = analysis(name).known
         values: Array | None = None if known is None else known(reference, result, spindle)

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 QUANTITIES = ("receptance", "mobility", "inertance")
 NO_RESPONSE = "no response: given zero at every frequency; allowed: at least one other value"
-RANGE = 1e-50, 1e50  # of the largest value of a response in SI: its square is a number
+RANGE = 1e-50, 1e50  # of the largest value of a response in SI: its square does not overflow
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,7 +41,7 @@ class Port(Description):
 
     @classmethod
     def from_text(cls, text: str) -> Port:
-        """Of a text such as ``tip.y``.
+        """Port of a text such as ``tip.y``.
 
         >>> Port.from_text("outer.tip.thz")
         Port(point='outer.tip', direction='thz')
@@ -64,7 +64,7 @@ class Port(Description):
 
 @dataclass(frozen=True, slots=True)
 class Pair:
-    """Marks a response and what excites it, a ``PortPair`` in files."""
+    """Marker of a pair of response and excitation, a ``PortPair`` in files."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,7 +85,7 @@ class MeasuredResponse(Description):
 
     @property
     def pair(self) -> str:
-        """As in results."""
+        """Name of the pair in results."""
         return f"{self.response} / {self.excitation}"
 
     def _faults(self) -> Faults:
@@ -107,7 +107,7 @@ class MeasuredResponse(Description):
 
 
 def out_of_range(frequency: Sequence[float], values: Iterable[complex], unit: str) -> str:
-    """Why a response [SI, named by its ``unit``] is too large or too small by its largest value;
+    """Sentence on why the largest value of a response [SI, ``unit``] is too large or too small;
     empty where it is not, or not known. ``frequency`` [Hz]."""
     sizes = [math.hypot(value.real, value.imag) for value in values]
     size, (low, high) = max(sizes, default=1.0), RANGE

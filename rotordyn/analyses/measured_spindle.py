@@ -54,47 +54,47 @@ class MeasuredSpindle(Description):
 
     @property
     def planes(self) -> tuple[str, ...]:
-        """Directions in which it was measured."""
-        known = {response.response.direction for response in self.responses}
-        return tuple(way for way in PLANES if way in known)
+        """Directions in which the spindle is measured."""
+        measured = {response.response.direction for response in self.responses}
+        return tuple(plane for plane in PLANES if plane in measured)
 
     def of_plane(self, way: str) -> dict[tuple[str, str], MeasuredResponse]:
         """Responses in the direction ``way``; keys are the names of both points, alphabetic: by
         reciprocity, the point of the force and that of the motion may be exchanged."""
-        return {self._ends(one): one for one in self.responses if one.response.direction == way}
+        return {self._ends(r): r for r in self.responses if r.response.direction == way}
 
     @staticmethod
-    def _ends(one: MeasuredResponse) -> tuple[str, str]:
-        first, second = sorted((one.response.point, one.excitation.point))
+    def _ends(measured: MeasuredResponse) -> tuple[str, str]:
+        first, second = sorted((measured.response.point, measured.excitation.point))
         return first, second
 
     def _faults(self) -> Faults:
         crossed = [*self._directions()]
         yield from crossed
-        if crossed or any(len(one.frequency) < 2 for one in self.responses):
+        if crossed or any(len(measured.frequency) < 2 for measured in self.responses):
             return
         yield from self._at_rest()
-        unlike = [*self._samples()]
-        yield from unlike
-        if not unlike:
-            for way in self.planes:
-                yield from self._passive(way)
+        mismatched = [*self._samples()]
+        yield from mismatched
+        if not mismatched:
+            for plane in self.planes:
+                yield from self._passive(plane)
         if self.blank is not None:
             yield from self._blank(self.blank)
 
     def _directions(self) -> Faults:
-        for index, one in enumerate(self.responses):
-            way, other = one.response.direction, one.excitation.direction
-            if way != other or way not in PLANES:
+        for index, measured in enumerate(self.responses):
+            direction, other = measured.response.direction, measured.excitation.direction
+            if direction != other or direction not in PLANES:
                 yield (
                     ("responses", index),
                     f"coupling takes motion and force in one direction across the axis: given "
-                    f"'{one.pair}'; allowed: both in y, or both in z",
+                    f"'{measured.pair}'; allowed: both in y, or both in z",
                 )
 
     def _at_rest(self) -> Faults:
-        for index, one in enumerate(self.responses):
-            if one.speed:
+        for index, measured in enumerate(self.responses):
+            if measured.speed:
                 yield (
                     ("responses", index, "speed"),
                     "coupling takes what was measured at rest: given {given}; leave speed out, or "
@@ -103,8 +103,8 @@ class MeasuredSpindle(Description):
 
     def _samples(self) -> Faults:
         first = self.responses[0].frequency
-        for index, one in enumerate(self.responses):
-            if not _alike(one.frequency, first):
+        for index, measured in enumerate(self.responses):
+            if not _same_samples(measured.frequency, first):
                 yield (
                     ("responses", index),
                     "measured at other frequencies than the first response: allowed: the same",
@@ -118,37 +118,41 @@ class MeasuredSpindle(Description):
                 f"too many for {len(first)} frequencies: given {{given}}; allowed: up to {most}",
             )
 
-    def _passive(self, way: str) -> Faults:
-        """Responses of a plane that no passive structure has, or that are not reciprocal."""
-        index = {id(one): k for k, one in enumerate(self.responses)}
-        named = self.of_plane(way)
-        values = {ends: _turned(one) for ends, one in named.items()}
+    def _passive(self, plane: str) -> Faults:
+        """Faults of responses of a plane that are not passive, or not reciprocal."""
+        index = {id(measured): k for k, measured in enumerate(self.responses)}
+        by_ends = self.of_plane(plane)
+        values = {ends: _mobility(measured) for ends, measured in by_ends.items()}
         active = False
-        for ends, one in named.items():
-            fault = _fault(one) if len(set(ends)) == 1 else None
+        for ends, measured in by_ends.items():
+            fault = _fault(measured) if len(set(ends)) == 1 else None
             if fault:
                 active = True
-                yield ("responses", index[id(one)]), f"{one.pair} is no driving point: {fault}"
+                yield (
+                    ("responses", index[id(measured)]),
+                    f"{measured.pair} is no driving point: {fault}",
+                )
         if active:
             return
-        for one in self.responses:
-            other = named.get(self._ends(one), one)
-            share = apart(_turned(other), _turned(one)) if one is not other else 0.0
-            if one.response.direction == way and share > APART:
+        for measured in self.responses:
+            other = by_ends.get(self._ends(measured), measured)
+            share = apart(_mobility(other), _mobility(measured)) if measured is not other else 0.0
+            if measured.response.direction == plane and share > APART:
                 yield (
-                    ("responses", index[id(one)]),
-                    f"{one.pair} and {other.pair} differ by {share**0.5:.0%}, which at rest are "
-                    "one by reciprocity: look whether a file is that of another point, or give one",
+                    ("responses", index[id(measured)]),
+                    f"{measured.pair} and {other.pair} differ by {share**0.5:.0%}, which at rest "
+                    "are one by reciprocity: look whether a file is that of another point, or "
+                    "give one",
                 )
-        across = [ends for ends in named if ends[0] != ends[1]]
-        ports = [(name, name) for name in across[0]] if len(across) == 1 else []
-        if ports and all(port in named for port in ports):
-            share = excess(values[ports[0]], values[across[0]], values[ports[1]])
+        cross = [ends for ends in by_ends if ends[0] != ends[1]]
+        ports = [(name, name) for name in cross[0]] if len(cross) == 1 else []
+        if ports and all(port in by_ends for port in ports):
+            share = excess(values[ports[0]], values[cross[0]], values[ports[1]])
             if share > EXCESS:
                 yield (
-                    ("responses", index[id(named[across[0]])]),
-                    f"together with the responses at {' and '.join(across[0])} it is that of no "
-                    f"passive structure: files of points or directions look exchanged in {way}",
+                    ("responses", index[id(by_ends[cross[0]])]),
+                    f"together with the responses at {' and '.join(cross[0])} it is that of no "
+                    f"passive structure: files of points or directions look exchanged in {plane}",
                 )
 
     def _blank(self, blank: Tool) -> Faults:
@@ -156,28 +160,28 @@ class MeasuredSpindle(Description):
         yield from self._points(blank.placed(NOSE), blank.front(NOSE))
 
     def _points(self, points: Mapping[str, float], front: float) -> Faults:
-        """Three responses in each plane, at points that exist, one of them in ``front`` [m]."""
-        for index, one in enumerate(self.responses):
-            for key, port in (("response", one.response), ("excitation", one.excitation)):
+        """Require three responses per plane, between two existing points, one at ``front`` [m]."""
+        for index, measured in enumerate(self.responses):
+            for key, port in (("response", measured.response), ("excitation", measured.excitation)):
                 if port.point not in points:
-                    known = ", ".join(points) or "none"
+                    allowed = ", ".join(points) or "none"
                     yield (
                         ("responses", index, key),
-                        f"unknown point: given '{port.point}'; allowed: {known}",
+                        f"unknown point: given '{port.point}'; allowed: {allowed}",
                     )
                     return
-        for way in self.planes:
-            names = {name for pair in self.of_plane(way) for name in pair}
-            at = sorted((points[name], name) for name in names)
-            wanted = {(one, other) for one in names for other in names if one <= other}
-            given = {self._ends(one) for one in self.responses}
-            if len(at) != 2 or wanted - given or abs(at[0][0] - front) > SLACK:
-                listed = ", ".join(one.pair for one in self.responses)
+        for plane in self.planes:
+            names = {name for pair in self.of_plane(plane) for name in pair}
+            stations = sorted((points[name], name) for name in names)
+            needed = {(name, other) for name in names for other in names if name <= other}
+            measured_ends = {self._ends(measured) for measured in self.responses}
+            if len(stations) != 2 or needed - measured_ends or abs(stations[0][0] - front) > SLACK:
+                listed = ", ".join(measured.pair for measured in self.responses)
                 yield ("responses",), f"given {listed}; allowed: {NEEDED}"
                 return
 
     def faults_on(self, spindle: Spindle) -> Faults:
-        """Faults of the machine to which it is applied."""
+        """Faults of the machine whose tool is coupled to the measured spindle."""
         if not spindle.shaft.start < NOSE - SLACK:
             yield (), "no tool to couple to it: give tool, or tools, of the case"
             return
@@ -189,27 +193,29 @@ class MeasuredSpindle(Description):
             yield from self._points(dict(spindle.points), NOSE)
 
     def stations(self, spindle: Spindle) -> dict[str, float]:
-        """Where the named points are [m]."""
+        """Stations of the named points [m]."""
         return dict(spindle.points if self.blank is None else self.blank.placed(NOSE))
 
 
-def _alike(frequency: Sequence[float], other: Sequence[float]) -> bool:
-    """Whether they are the same but for rounding; ascending [Hz]."""
+def _same_samples(frequency: Sequence[float], other: Sequence[float]) -> bool:
+    """Whether two ascending lists of frequencies [Hz] are equal but for rounding."""
     if len(frequency) != len(other):
         return False
     least = min(after - before for before, after in pairwise(other))
     return all(abs(a - b) <= SAME * least for a, b in zip(frequency, other, strict=True))
 
 
-def _fault(one: MeasuredResponse) -> str | None:
-    """What it seems to be instead of a response at a driving point."""
-    omega = [2.0 * math.pi * hertz for hertz in one.frequency]
-    return fault_at_driving_point(as_quantity(one, one.quantity).tolist(), omega, one.quantity)
+def _fault(measured: MeasuredResponse) -> str | None:
+    """Sentence on what a response seems to be instead of one at a driving point; else None."""
+    omega = [2.0 * math.pi * hertz for hertz in measured.frequency]
+    return fault_at_driving_point(
+        as_quantity(measured, measured.quantity).tolist(), omega, measured.quantity
+    )
 
 
-def _turned(one: MeasuredResponse) -> list[complex]:
-    """Its mobility, with the phase of the receptance."""
-    return [complex(value) for value in -1j * as_quantity(one, QUANTITIES[1])]
+def _mobility(measured: MeasuredResponse) -> list[complex]:
+    """Mobility of a response, with the phase of the receptance."""
+    return [complex(value) for value in -1j * as_quantity(measured, QUANTITIES[1])]
 
 
 def uncoupled(

@@ -16,15 +16,15 @@ from rotordyn.numerics.vector_fit import Fit
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 MOST = 24  # modes tried where their number is not given
-LEAST = 1e-3  # of the largest value of an entry: less weighs no more
+LEAST = 1e-3  # of the largest value of an entry: smaller values weigh the same
 
 
 @dataclass(frozen=True, eq=False)
 class ModalFit:
     """Modes common to all entries of a measurement, of shape ``shape`` each.
 
-    ``misfit``: root mean square of what the samples differ from the sum, over their own size; that
-    of good measurements is their noise. ``omega`` (f,) and ``size`` (f, e): of the samples.
+    ``misfit``: root mean square of the differences of the samples from the sum, over their size;
+    for good measurements it is their noise. ``omega`` (f,) and ``size`` (f, e): of the samples.
     """
 
     fit: Fit
@@ -35,7 +35,7 @@ class ModalFit:
 
     @property
     def frequency(self) -> Array:
-        """Of the modes [Hz]."""
+        """Natural frequencies of the modes [Hz]."""
         return np.abs(self.fit.pole) / (2.0 * np.pi)
 
     @property
@@ -44,7 +44,7 @@ class ModalFit:
         return -self.fit.pole.real / np.abs(self.fit.pole)
 
     def __call__(self, omega: Array) -> Complex:
-        """At angular frequencies (f,) within the band: (f, …)."""
+        """Receptances (f, …) at angular frequencies (f,) within the band."""
         return self.fit(omega).reshape(len(omega), *self.shape)
 
     def carried(self, omega: Array, share: Complex) -> Array:
@@ -55,8 +55,8 @@ class ModalFit:
 
 
 def modal_fit(omega: Array, values: Complex, modes: int | None = None) -> ModalFit:
-    """Fit ``modes`` and a constant to ``values`` (f, …) at ``omega`` (f,) [rad/s], ascending; as
-    many modes as there is evidence of where their number is not given.
+    """Fit ``modes`` and a constant to ``values`` (f, …) at ``omega`` (f,) [rad/s], ascending; None:
+    as many modes as the samples give evidence of.
 
     The noise is taken to be in proportion to each sample. More modes than the band holds fit
     noise.

@@ -38,11 +38,11 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 CONE_PIECES = 24  # cylinders in place of a cone
 STEP = 1e-6  # of a response: of finite differences
-FEW = 0.5  # of a misfit: more modes that leave less were missing
+FEW = 0.5  # of a misfit: more modes that leave less than this are needed
 
 
 class OnMeasured:
-    """Tip of the tool of ``spindle``, in front of its nose, on a measured one."""
+    """Response at the tip of the tool of ``spindle`` on a measured spindle."""
 
     def __init__(self, measured: MeasuredSpindle, spindle: Spindle) -> None:
         self.measured, self.loss = measured, measured.loss_factor
@@ -54,11 +54,11 @@ class OnMeasured:
             if end <= NOSE + SLACK
         ]
         self._joint = _at_nose(spindle.joints)
-        at = measured.stations(spindle)
-        ports = ((one.response, one.excitation) for one in measured.responses)
+        stations = measured.stations(spindle)
+        ports = ((response.response, response.excitation) for response in measured.responses)
         names = {port.point for pair in ports for port in pair}
-        self._front, self._behind = sorted(names, key=lambda name: at[name])
-        self._spacing = at[self._behind] - at[self._front]
+        self._front, self._behind = sorted(names, key=lambda name: stations[name])
+        self._spacing = stations[self._behind] - stations[self._front]
         self._beams: dict[bytes, tuple[Ends | None, Complex, Ends, Complex]] = {}
 
     @cached_property
@@ -69,7 +69,7 @@ class OnMeasured:
     @cached_property
     def fits(self) -> dict[str, ModalFit]:
         """Modes fitted to the three responses of every plane, front, across and behind."""
-        return {way: self._fit(way, self.measured.modes) for way in self.measured.planes}
+        return {plane: self._fit(plane, self.measured.modes) for plane in self.measured.planes}
 
     def tip(self, way: str, omega: Array) -> Complex:
         """Receptance of the tip in a plane at angular frequencies within the band (f,) [m/N].
@@ -94,16 +94,16 @@ class OnMeasured:
         """
         fit, parts = self.fits[way], self._parts(omega)
         values = fit(omega)
-        known, share = self._tip(values, *parts), np.empty_like(values)
+        unchanged, derivative = self._tip(values, *parts), np.empty_like(values)
         for k in range(values.shape[1]):
             changed = values.copy()
             changed[:, k] *= 1.0 + STEP
-            share[:, k] = (self._tip(changed, *parts) - known) / (STEP * values[:, k])
-        return fit.carried(omega, share)
+            derivative[:, k] = (self._tip(changed, *parts) - unchanged) / (STEP * values[:, k])
+        return fit.carried(omega, derivative)
 
-    def _too_few_modes(self, way: str) -> str:
-        """Why the misfit of a plane is no noise; empty where more modes do not halve it."""
-        fit, best = self.fits[way], self._fit(way, None)
+    def _too_few_modes(self, plane: str) -> str:
+        """Sentence on why a misfit is not noise; empty where more modes do not halve it."""
+        fit, best = self.fits[plane], self._fit(plane, None)
         if best.misfit > FEW * fit.misfit:
             return ""
         return (
@@ -112,36 +112,36 @@ class OnMeasured:
             "out"
         )
 
-    def _fit(self, way: str, modes: int | None) -> ModalFit:
-        """So many modes of a plane, or as many as its noise leaves."""
-        named = self.measured.of_plane(way)
+    def _fit(self, plane: str, modes: int | None) -> ModalFit:
+        """Fit of ``modes`` modes to the responses of a plane; None: as many as its noise leaves."""
+        by_ends = self.measured.of_plane(plane)
         front, behind = self._front, self._behind
         across = min(front, behind), max(front, behind)
-        wanted = named[front, front], named[across], named[behind, behind]
-        return _fitted(wanted, modes)
+        three = by_ends[front, front], by_ends[across], by_ends[behind, behind]
+        return _fitted(three, modes)
 
     def _parts(self, omega: Array) -> tuple[Ends | None, Complex, Ends, Complex]:
-        """Blank with the flexibility of its joint to the nose, tool with that of its own; the same
-        for both planes."""
+        """Receptances of the blank and flexibility of its joint, then those of the tool, computed
+        once for both planes."""
         key = omega.tobytes()
         if key not in self._beams:
             self._beams[key] = self._bodies(omega)
         return self._beams[key]
 
     def _bodies(self, omega: Array) -> tuple[Ends | None, Complex, Ends, Complex]:
-        """The same, computed."""
+        """Compute what ``_parts`` returns."""
         tool = beam(omega, _pieces(self._tool, self.loss)), _flexibility(omega, self._joint)
         if (blank := self.measured.blank) is None:
             return None, _flexibility(omega, None), *tool
         front, rear = _split(_pieces(blank.sections, self.loss), self._spacing)
-        off = between_points(beam(omega, front), beam(omega, rear) if rear else None)
-        return off, _flexibility(omega, _at_nose(blank.joints)), *tool
+        blank_ends = between_points(beam(omega, front), beam(omega, rear) if rear else None)
+        return blank_ends, _flexibility(omega, _at_nose(blank.joints)), *tool
 
     def _tip(
         self,
         values: Complex,
         blank: Ends | None,
-        held: Complex,
+        blank_joint: Complex,
         tool: Ends,
         joint: Complex,
         noise: float = 0.0,
@@ -152,16 +152,16 @@ class OnMeasured:
             base = rotations(front, across, self._spacing, behind)
         else:
             rows = np.stack([front, across], -1), np.stack([across, behind], -1)
-            base = uncouple(blank, np.stack(rows, -2), held, noise)
+            base = uncouple(blank, np.stack(rows, -2), blank_joint, noise)
         return couple(tool, base, joint)[:, 0, 0]
 
 
 @lru_cache(maxsize=8)
-def _fitted(wanted: tuple[MeasuredResponse, ...], modes: int | None) -> ModalFit:
-    """So many modes in responses, or as many as there is evidence of; the same for all tools and
-    analyses."""
-    omega = 2.0 * math.pi * np.array(wanted[0].frequency)
-    values = np.array([as_quantity(one, QUANTITIES[0]) for one in wanted]).T
+def _fitted(responses: tuple[MeasuredResponse, ...], modes: int | None) -> ModalFit:
+    """Fit of ``modes`` modes to responses; None: as many as there is evidence of. All tools and
+    analyses share it."""
+    omega = 2.0 * math.pi * np.array(responses[0].frequency)
+    values = np.array([as_quantity(response, QUANTITIES[0]) for response in responses]).T
     return modal_fit(omega, values, modes)
 
 
@@ -172,19 +172,19 @@ def _at_nose(joints: Sequence[Joint]) -> Joint | None:
 def _flexibility(omega: Array, joint: Joint | None) -> Complex:
     if joint is None:
         return np.zeros((len(omega), 2, 2), dtype=complex)
-    held = (joint.radial, joint.tilt, joint.radial_damping, joint.tilt_damping)
-    return joint_flexibility(omega, *held)
+    coefficients = (joint.radial, joint.tilt, joint.radial_damping, joint.tilt_damping)
+    return joint_flexibility(omega, *coefficients)
 
 
 def _split(sections: list[Section], at: float) -> tuple[list[Section], list[Section]]:
     """Sections up to a distance ``at`` [m] from the tip, and those behind it."""
     front, rear = [], []
     for section in sections:
-        here = min(max(at, 0.0), section.length)
-        if here > SLACK:
-            front.append(section._replace(length=here))
-        if section.length - here > SLACK:
-            rear.append(section._replace(length=section.length - here))
+        part = min(max(at, 0.0), section.length)
+        if part > SLACK:
+            front.append(section._replace(length=part))
+        if section.length - part > SLACK:
+            rear.append(section._replace(length=section.length - part))
         at -= section.length
     return front, rear
 

@@ -1,6 +1,6 @@
-"""Whether measured receptances are those of a passive structure, which shows what was exchanged.
+"""Test of measured receptances for passivity, which reveals exchanged columns, signs or files.
 
-With e^{+iωt} a force takes power from no structure that is passive: the imaginary part of a
+With e^{+iωt} a force takes no power from a passive structure: the imaginary part of a
 receptance at its driving point is nowhere positive, nor is the matrix of imaginary parts of two
 points. At rest, receptances are reciprocal.
 """
@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 NOISE = 0.01  # of the energy of a response, as positive imaginary part: noise of 10 %
 POSITIVE = 0.2  # of the energy of the imaginary part
 EXCESS = 0.05  # of the energy between two points
-APART = 0.1  # of the energy: what two responses that are one by reciprocity may differ by
+APART = 0.1  # of the energy: tolerance between two responses that are reciprocal
 CAUSES: tuple[tuple[Callable[[complex], complex], str], ...] = (
     (
         lambda value: value.conjugate(),
@@ -46,25 +46,25 @@ POWERS = {"receptance": 1, "mobility": 0, "inertance": -1}  # of ω, to the size
 def fault_at_driving_point(
     values: Sequence[complex], omega: Sequence[float], quantity: str
 ) -> str | None:
-    """What a response (f,) at a driving point, named as some ``quantity``, seems to be instead, or
-    None where it is one; ``omega`` (f,) [rad/s].
+    """Sentence on what a response (f,) at a driving point, declared as ``quantity``, seems to be
+    instead, or None where it is consistent; ``omega`` (f,) [rad/s].
 
-    Receptances are judged in the size of mobilities, by which stiff and inert ranges weigh the
+    Responses are scaled to mobilities, in which ranges ruled by stiffness and by mass weigh the
     same.
     """
     factor, power = FACTORS[quantity], POWERS[quantity]
-    both = zip(values, omega, strict=True)
-    sized = [factor * value * w**power for value, w in both if w > 0.0]
-    if _is_passive(sized):
+    samples = zip(values, omega, strict=True)
+    scaled = [factor * value * w**power for value, w in samples if w > 0.0]
+    if _is_passive(scaled):
         return None
-    for turned, sentence in CAUSES:
-        if _is_passive([turned(value) for value in sized]):
+    for corrected, sentence in CAUSES:
+        if _is_passive([corrected(value) for value in scaled]):
             return sentence if quantity == "receptance" else misnamed(quantity)
     return NO_DRIVING_POINT
 
 
 def misnamed(quantity: str) -> str:
-    """Of one that is not, or may have been no receptance: several mistakes look alike."""
+    """Sentence on a response declared as another quantity: several mistakes have one symptom."""
     return (
         f"it takes power from the structure as {quantity}: look whether it is another quantity, a "
         "sensor stood against the force, the sign convention is e^{−iωt}, or real and imaginary "

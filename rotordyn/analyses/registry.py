@@ -25,7 +25,7 @@ GROUP = "rotordyn.analyses"  # of entry points
 
 
 class Unusable(InvalidInput):
-    """A package outside offers an analysis that cannot be loaded."""
+    """An external package offers an analysis that cannot be loaded."""
 
 
 @cache
@@ -35,23 +35,23 @@ def analysis(name: str) -> Analysis:
     Raises
     ------
     InvalidInput : there is none
-    Unusable : what a package outside offers under that name is none
+    Unusable : what an external package offers under that name is no analysis
     """
     if name in built_in():
         record: Analysis = import_module(f"{PACKAGE}.{name}").ANALYSIS
         return record
-    if name in _outside():
-        return _loaded(_outside()[name])
-    known = names()
-    hint = suggestion(name, known)
-    raise InvalidInput(f"unknown analysis: {name}; allowed: {', '.join(known)}{hint}")
+    if name in _external():
+        return _loaded(_external()[name])
+    allowed = names()
+    hint = suggestion(name, allowed)
+    raise InvalidInput(f"unknown analysis: {name}; allowed: {', '.join(allowed)}{hint}")
 
 
 @cache
 def names() -> tuple[str, ...]:
-    """All analyses, by their place; warns of those outside that cannot be used, and omits them."""
+    """All analyses, by their place; warns of external ones that cannot be used, and omits them."""
     usable = []
-    for name in _outside():
+    for name in _external():
         try:
             analysis(name)
         except Unusable as error:
@@ -62,24 +62,24 @@ def names() -> tuple[str, ...]:
 
 
 def in_order(*among: Iterable[str]) -> list[str]:
-    """Names of analyses, each once, by their place."""
-    return sorted({name for each in among for name in each}, key=place)
+    """Names of analyses without repetition, by their place."""
+    return sorted({name for group in among for name in group}, key=place)
 
 
 def place(name: str) -> tuple[int, str]:
-    """The place of an analysis among others."""
+    """Sort key of an analysis: its place, then its name."""
     return analysis(name).place, name
 
 
 @cache
 def built_in() -> tuple[str, ...]:
-    """Names of the folders."""
+    """Names of the analyses that are folders here."""
     path = import_module(PACKAGE).__path__
     return tuple(sorted(module.name for module in iter_modules(path) if module.ispkg))
 
 
 @cache
-def _outside() -> dict[str, EntryPoint]:
+def _external() -> dict[str, EntryPoint]:
     from importlib.metadata import entry_points
 
     return {e.name: e for e in entry_points(group=GROUP) if e.name not in built_in()}

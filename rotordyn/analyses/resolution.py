@@ -1,4 +1,4 @@
-"""Frequencies that elements of a given length cannot carry at all."""
+"""Frequencies beyond what elements of a given length can represent."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from rotordyn.scene.spec import Spec
 def beyond_elements(
     spindle: Spindle, conditions: Conditions, analyses: Mapping[str, Spec], top: float
 ) -> Iterator[str]:
-    """A sentence for every response asked for where an element spans more than half a wave.
+    """A sentence for every analysis with frequencies at which an element exceeds half a wave.
 
-    ``top``: highest speed [rad/s]. Elements that follow the accuracy carry whatever is asked.
+    ``top``: highest speed [rad/s]. Elements refined to an accuracy have no such limit.
     """
     longest = conditions.element_length
     fastest = top * max(abs(ratio) for ratio in spindle.ratios.values())
@@ -35,16 +35,16 @@ def beyond_elements(
     limit, mesh = limits[weakest], meshes[weakest]
     for name, highest in frequencies.items():
         if highest > limit:
-            turns = math.isclose(2.0 * math.pi * highest, fastest)  # a force of the rotation
-            turned = f" ({fastest * RPM.factor:.0f} rpm)" if turns else ""
+            of_rotation = math.isclose(2.0 * math.pi * highest, fastest)  # a force of the rotation
+            in_rpm = f" ({fastest * RPM.factor:.0f} rpm)" if of_rotation else ""
             yield (
-                f"{name} goes up to {highest:.6g} Hz{turned}, and an element of "
+                f"{name} goes up to {highest:.6g} Hz{in_rpm}, and an element of "
                 f"{mesh.length.max() * 1e3:.4g} mm carries bending up to {limit:.4g} Hz, half a "
                 "wave: allowed: shorter elements, or accuracy instead"
             )
 
 
 def _highest(name: str, spec: Spec, top: float) -> float:
-    """Highest frequency at which a force swings [Hz], 0 where none does; ``top``: of all rotors."""
+    """Highest frequency of a force [Hz], 0 without one; ``top``: highest speed of all rotors."""
     record = analysis(name)
     return record.highest(spec, top) if record.forced else 0.0

@@ -1,4 +1,4 @@
-"""One call that solves the analyses a case asks for."""
+"""All analyses of a case solved by one call."""
 
 from __future__ import annotations
 
@@ -25,18 +25,18 @@ if TYPE_CHECKING:
     from rotordyn.scene.checks import Checks
     from rotordyn.scene.stage import Memo
 
-UNASKED_BAND = 1000.0  # Hz, where no question names a frequency
+UNASKED_BAND = 1000.0  # Hz, where no analysis names a frequency
 Progress = Callable[[str], None]
 
 
 @dataclass(frozen=True, slots=True)
 class Answers:
-    """Results by analysis name; seconds by stage, and who ``asked`` for it first; residuals where
-    errors are looked for.
+    """Results by analysis name; seconds by stage, and its first caller (``asked``); residuals where
+    errors are estimated.
 
-    ``skipped``: stages that did not run -> why; ``spared``: what the structure of the machine
-    saved. ``warnings``: what a designer should know about the machine; ``notes``: what was chosen
-    that changes how the results read. Sentences. ``stop``: what ended the run before all analyses
+    ``skipped``: stages that did not run -> why; ``spared``: work that the structure of the
+    machine saves. ``warnings``: on the machine, for its designer; ``notes``: on choices that change
+    how results read. Sentences. ``stop``: what ended the run before all analyses
     had results.
     """
 
@@ -60,10 +60,10 @@ def answer_spindle(
     memo: Memo | None = None,
     checks: Checks | None = None,
 ) -> Answers:
-    """Answer ``analyses`` for a spindle at ``speeds`` [rad/s]; shared stages are solved once.
+    """Solve ``analyses`` for a spindle at ``speeds`` [rad/s]; shared stages are solved once.
 
-    ``memo``: stages of like machines, of which those of the same inputs are taken over; ``checks``:
-    whether errors are looked for with a finer model, as they are by default.
+    ``memo``: stages of similar machines, reused where their inputs are the same; ``checks``:
+    whether errors are estimated with a finer model, as they are by default.
 
     Raises
     ------
@@ -87,13 +87,13 @@ def answer_spindle(
     )
 
     def solve(name: str, spec: Spec) -> Result:
-        scene.progress = partial(_part, progress, name)
+        scene.progress = partial(_part_done, progress, name)
         return scene.timed(f"answer {name}", partial(analysis(name).solve, scene, spec))
 
     with linear_algebra_alone():
         if not all(analysis(name).unsteady for name in analyses):
             scene.require_solution()
-        results, stop = _answered(analyses, solve, progress)
+        results, stop = _solved_in_turn(analyses, solve, progress)
         return Answers(
             results,
             seconds=scene.clock.seconds,
@@ -107,10 +107,10 @@ def answer_spindle(
         )
 
 
-def _answered(
+def _solved_in_turn(
     analyses: Mapping[str, Spec], solve: Callable[[str, Spec], Result], progress: Progress
 ) -> tuple[dict[str, Result], Stop | None]:
-    """Results by name; those finished, and what ended them, of a run that keeps these."""
+    """Solve analyses in turn: results by name, and what ended a run that keeps those finished."""
     results: dict[str, Result] = {}
     try:
         for name, spec in analyses.items():
@@ -124,7 +124,7 @@ def _answered(
     return results, None
 
 
-def _part(progress: Progress, name: str, done: str) -> None:
+def _part_done(progress: Progress, name: str, done: str) -> None:
     progress(f"{name}, {done}")
 
 
@@ -135,7 +135,7 @@ def answer_bearing(
     analyses: Mapping[str, Spec],
     progress: Progress,
 ) -> Answers:
-    """Answer ``analyses`` for a single bearing at ``speeds`` [rad/s]."""
+    """Solve ``analyses`` for a single bearing at ``speeds`` [rad/s]."""
     seconds: dict[str, float] = {}
 
     def solve(name: str, spec: Spec) -> Result:
@@ -145,7 +145,7 @@ def answer_bearing(
         seconds[name] = time.perf_counter() - begin
         return result
 
-    results, stop = _answered(analyses, solve, progress)
+    results, stop = _solved_in_turn(analyses, solve, progress)
     flows = [flow for spec in analyses.values() for flow in spec.heat_flows]
     return Answers(
         results,
@@ -153,7 +153,7 @@ def answer_bearing(
         dict.fromkeys(seconds, ""),
         warnings=(
             *estimates({"": bearing}),
-            *(guess for flow in flows for guess in flow.guesses()),
+            *(sentence for flow in flows for sentence in flow.guesses()),
         ),
         notes=tuple(flow.note for flow in flows),
         stop=stop,
@@ -161,9 +161,9 @@ def answer_bearing(
 
 
 def _highest(analyses: Mapping[str, Spec], top: float) -> float:
-    """Highest frequency any analysis asks for [Hz]; ``top``: of all rotors [rad/s]."""
-    each = (analysis(name).highest(spec, top) for name, spec in analyses.items())
-    return max(each, default=0.0) or UNASKED_BAND
+    """Highest frequency of any analysis [Hz]; ``top``: highest speed of all rotors [rad/s]."""
+    frequencies = (analysis(name).highest(spec, top) for name, spec in analyses.items())
+    return max(frequencies, default=0.0) or UNASKED_BAND
 
 
 def _ports(spindle: Spindle, analyses: Mapping[str, Spec]) -> tuple[Place, ...]:

@@ -1,4 +1,4 @@
-"""Steady forced responses of a machine that nothing damps."""
+"""Steady forced responses of an undamped machine."""
 
 from __future__ import annotations
 
@@ -13,10 +13,12 @@ from rotordyn.machine.spindle import Spindle
 def unlimited(spindle: Spindle, analyses: Mapping[str, Any]) -> Iterator[str]:
     """A sentence where ``analyses`` ask for steady forced responses without any damping."""
     records = [(analysis(name), spec) for name, spec in analyses.items()]
-    forced = [each.name for each, spec in records if each.forced and not each.over_time(spec)]
+    forced = [
+        record.name for record, spec in records if record.forced and not record.over_time(spec)
+    ]
     if forced and undamped(spindle):
-        ways = "damping.rotor, " + "damping.bearings, " * bool(spindle.seats)
+        keys = "damping.rotor, " + "damping.bearings, " * bool(spindle.seats)
         yield (
             f"{' and '.join(forced)}: nothing in the machine is damped, so that responses have no "
-            f"limit at its modes and their peaks mean nothing: give {ways}or damping of supports"
+            f"limit at its modes and their peaks mean nothing: give {keys}or damping of supports"
         )

@@ -19,7 +19,7 @@ _PART = re.compile(r"(?P<sign>[·/])?(?:\((?P<inner>[^()]*)\)|(?P<name>[a-zA-Z]+
 
 
 def units(text: str) -> dict[str, str]:
-    """Attributes that tell the unit ``text`` of a declaration; none where it is empty.
+    """Attributes for the unit ``text`` of a declaration; none where it is empty.
 
     >>> units("rad/s"), units("N·m"), units("N, N·m")
     ({'units': 'rad s-1'}, {'units': 'N m'}, {'units_of_entries': 'N, N m'})
@@ -29,7 +29,7 @@ def units(text: str) -> dict[str, str]:
     if not text:
         return {}
     if "," in text:
-        listed = (_written(each) for each in text.split(", "))
+        listed = (_written(unit) for unit in text.split(", "))
         return {"units_of_entries": ", ".join(listed)}
     return {"units": _written(text)}
 
@@ -42,23 +42,23 @@ def _written(unit: str) -> str:
 
 
 def _powers(unit: str) -> dict[str, int]:
-    """Power of every symbol of a product or quotient, in the order in which they stand there."""
+    """Power of every symbol of a product or quotient, in order of appearance."""
     total: dict[str, int] = {}
-    at = 0
-    while at < len(unit):
-        part = _PART.match(unit, at)
+    position = 0
+    while position < len(unit):
+        part = _PART.match(unit, position)
         if part is None:
             raise ValueError(f"not a unit: {unit}")
         power = int(part["power"] or 1) * (-1 if part["sign"] == "/" else 1)
         inner = {part["name"]: 1} if part["name"] else _powers(part["inner"])
         for name, exponent in inner.items():
             total[name] = total.get(name, 0) + power * exponent
-        at = part.end()
+        position = part.end()
     return total
 
 
 def about(case: str, title: str, digest: str) -> dict[str, str]:
-    """Attributes of a whole file: what it is, what wrote it from what, and when."""
+    """Attributes of a whole file: title, source, history, sign convention, case and digest."""
     now = datetime.now(UTC).strftime("%Y-%m-%dT%H:%M:%SZ")
     return {
         "Conventions": CONVENTIONS,

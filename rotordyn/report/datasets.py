@@ -27,15 +27,15 @@ def dataset(result: Any) -> xr.Dataset:
     import xarray as xr
 
     parts = variables(result)
-    arrays = {v.name: (v.dims, _to_read(v.values), v.attrs) for v in parts}
+    arrays = {v.name: (v.dims, _read_only(v.values), v.attrs) for v in parts}
     coords = {v.name: arrays.pop(v.name) for v in parts if v.role != "quantity"}
     return xr.Dataset(arrays, coords, {"result": type(result).__name__})
 
 
-def _to_read(values: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
-    seen = values.view()
-    seen.flags.writeable = False
-    return seen
+def _read_only(values: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+    view = values.view()
+    view.flags.writeable = False
+    return view
 
 
 def result_of(of: str, data: xr.Dataset) -> Any:
@@ -78,7 +78,7 @@ def _kinds(of: str, name: str) -> Iterator[type]:
 
 
 def _value(values: np.ndarray[Any, Any], hint: Any) -> Any:
-    """An array as what a field is annotated to hold: a number, a text, words or the array."""
+    """Convert an array to the type annotated for a field: a number, a text, words or the array."""
     if hint in (float, int, str):
         return hint(values[()])
     return tuple(values.tolist()) if hint == tuple[str, ...] else values

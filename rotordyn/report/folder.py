@@ -1,4 +1,4 @@
-"""The results folder appears whole or not at all, and never replaces what is not ours.
+"""The results folder appears whole or not at all, and never replaces other files.
 
 Results are made in a workshop, a hidden folder beside the target, and moved when they are complete.
 A run locks its workshop as long as it lives; the lock of a run that was killed is gone with it, and
@@ -45,10 +45,10 @@ _DISK = (
 
 @dataclass(slots=True)
 class Place:
-    """``folder``: where to write results; ``target``: where they stand once they are complete.
+    """``folder``: where to write results; ``target``: where they are once they are complete.
 
-    ``moved``: that is not the folder asked for, but a sibling; ``kept``: since that holds complete
-    results.
+    ``moved``: ``target`` is not the requested folder, but a sibling; ``kept``: since that folder
+    holds complete results.
     """
 
     folder: Path
@@ -67,7 +67,7 @@ def results_folder(target: Path, *, ended: bool = False) -> Iterator[Place]:
 
     Raises
     ------
-    OutputRefused : ``target`` is a file, or a folder with something in it and no record of ours
+    OutputRefused : ``target`` is a file, or a folder that is not empty and has no record of a run
     InvalidInput : the folder cannot be made there, or the disk takes nothing more
     """
     requested, target = target, absolute(target)
@@ -87,27 +87,27 @@ def results_folder(target: Path, *, ended: bool = False) -> Iterator[Place]:
         taken = _take_place(workshop, _sibling(target) if place.kept else target)
         if taken != target:
             place.target, place.moved = taken, True
-        _recover(target)  # what a killed run still held at the beginning
+        _recover(target)  # workshops that a killed run still locked at the beginning
 
 
 def absolute(target: Path) -> Path:
-    """``target`` from the root, links followed.
+    """Absolute path of ``target``, links followed.
 
     Raises
     ------
-    InvalidInput : it is relative to a working directory that exists no more, or has no end
+    InvalidInput : it is relative to a removed working directory, or its links form a circle
     """
     try:
         return Path(os.path.abspath(target)).resolve()
     except FileNotFoundError as error:
         reason = "the working directory has been removed"
         raise InvalidInput(f"{target}: {reason}; give a full path with -o") from error
-    except (OSError, RuntimeError) as error:  # links that lead in a circle
+    except (OSError, RuntimeError) as error:  # links form a circle
         raise InvalidInput(f"{target} cannot be read: links that lead in a circle") from error
 
 
 def check_target(target: Path) -> None:
-    """Refuse a target that holds anything but results of ours.
+    """Refuse a target that holds anything but results of rotordyn.
 
     Raises
     ------
@@ -115,13 +115,13 @@ def check_target(target: Path) -> None:
     """
     target = absolute(target)
     try:
-        while (held := _held_by(target)) == "moved":
+        while (content := _content_of(target)) == "moved":
             pass
     except OSError as error:
         raise InvalidInput(f"{target} cannot be read: {error.strerror}") from error
-    if held == "file":
+    if content == "file":
         raise OutputRefused(f"{target} is a file: give a folder for the results with -o")
-    if held == "other":
+    if content == "other":
         raise OutputRefused(
             f"{target} is not empty and holds no {RECORD} of rotordyn: "
             "give another folder with -o, or empty this one"
@@ -137,16 +137,16 @@ def check_target(target: Path) -> None:
         raise InvalidInput(_unwritable(above, error.strerror)) from error
 
 
-def _held_by(target: Path) -> str:
-    """``nothing``, ``us``, ``other``, ``file``, or ``moved`` when replaced while being read."""
+def _content_of(target: Path) -> str:
+    """Content of a target: ``nothing``, ``us``, ``other``, ``file``; ``moved`` if just replaced."""
     try:
         before = target.stat()
         if not stat.S_ISDIR(before.st_mode):
             return "file"
         if not any(target.iterdir()):
             return "nothing"
-        holder = "other" if record_in(target) is None else "us"
-        return holder if target.stat().st_ino == before.st_ino else "moved"
+        content = "other" if record_in(target) is None else "us"
+        return content if target.stat().st_ino == before.st_ino else "moved"
     except FileNotFoundError:
         return "nothing"
 
@@ -225,7 +225,7 @@ def _recover(target: Path) -> None:
             lock = locked(path)
             if lock is None and time.time() - path.stat().st_mtime < ABANDONED:
                 continue
-            with suppress(OSError):  # results that stand there already stay
+            with suppress(OSError):  # results that are there already stay
                 os.rename(path / OLD, target)
             shutil.rmtree(path, ignore_errors=True)
         if lock is not None:
@@ -233,19 +233,19 @@ def _recover(target: Path) -> None:
 
 
 def _take_place(workshop: Path, target: Path) -> Path:
-    """Move new results to ``target``, or to a sibling where that is in use; returns where.
+    """Move new results to ``target``, or to a sibling where that is in use; returns the folder.
 
     Another run may do the same at the same moment.
     """
     for _ in range(20):
         check_target(target)
         try:
-            _moved(_set_aside, workshop, target)
+            _retried(_set_aside, workshop, target)
         except PermissionError:
             target = _sibling(target)
             continue
         try:
-            _moved(os.rename, workshop / NEW, target)
+            _retried(os.rename, workshop / NEW, target)
         except OSError as error:
             if error.errno not in (errno.ENOTEMPTY, errno.EEXIST):
                 with suppress(OSError):
@@ -257,8 +257,8 @@ def _take_place(workshop: Path, target: Path) -> Path:
     raise InvalidInput(f"{target} is being written by other runs: give each its own folder")
 
 
-def _moved(move: Callable[[Path, Path], None], source: Path, target: Path) -> None:
-    """``move(source, target)``, tried again where Windows holds a file for a moment."""
+def _retried(move: Callable[[Path, Path], None], source: Path, target: Path) -> None:
+    """Call ``move(source, target)``, again where Windows locks a file for a moment."""
     for pause in PATIENCE:
         try:
             return move(source, target)
@@ -268,7 +268,7 @@ def _moved(move: Callable[[Path, Path], None], source: Path, target: Path) -> No
 
 
 def _set_aside(workshop: Path, target: Path) -> None:
-    """Move earlier results to the workshop, so that they never stand there half removed."""
+    """Move earlier results to the workshop, so that ``target`` is never half removed."""
     with suppress(FileNotFoundError):
         os.rename(target, workshop / OLD)  # an empty folder too: Windows replaces none
 
@@ -277,7 +277,7 @@ def _sibling(target: Path) -> Path:
     """The first of ``target_2``, ``target_3`` … that holds nothing."""
     for number in count(2):
         path = target.with_name(f"{target.name}_{number}")
-        if _held_by(path) == "nothing":
+        if _content_of(path) == "nothing":
             return path
     raise AssertionError
 

@@ -1,4 +1,4 @@
-"""How sure a run is, in text and tables."""
+"""Intervals of a run in text and tables."""
 
 from __future__ import annotations
 
@@ -21,175 +21,183 @@ from rotordyn.results.text import aligned, wrapped
 FILE, NAME = "interval.nc", "interval"
 MOST = 12  # numbers in the summary
 LONGEST, LONGEST_SOURCE = 44, 17  # of their names, and of those of sources
-FAR = 0.02  # of the range: tolerances act on one another, ranges may be off by more than 5 %
-ROUGH = 0.2  # of the range: one that says little
+FAR = 0.02  # of the range: tolerances interact, ranges may be wrong by more than 5 %
+ROUGH = 0.2  # of the range: a larger interaction makes it doubtful
 NONE, DOUBTFUL = "*", "~"  # marks of ranges
 UNKNOWN = "a bearing unloaded, no critical speed up to the top speed"
 AT = re.compile(r"( at \d+) rpm$")
 HEAD = ("speeds in rpm", "nominal", "hypotheses", "tolerances", "ruled by")
 
 
-def interval_lines(held: Interval, part: str = "") -> list[str]:
+def interval_lines(interval: Interval, part: str = "") -> list[str]:
     """Ranges of the numbers that vary most, and what rules them."""
     of = f"of {part} " if part else ""
-    lines = wrapped(f"interval   {of}over {interval_over(held)}; machines solved: {held.runs}")
-    rows = interval_ranges(held)
+    lines = wrapped(
+        f"interval   {of}over {interval_over(interval)}; machines solved: {interval.runs}"
+    )
+    rows = interval_ranges(interval)
     if len(rows) > 1:
         lines += aligned(rows)
-    if rest := len(held.number) - len(rows) + 1:
+    if rest := len(interval.number) - len(rows) + 1:
         lines.append(f"… and {rest} more number{'s' * (rest > 1)}: interval.csv")
-    lines += [part for sentence in interval_doubts(held) for part in wrapped(sentence)]
+    lines += [part for sentence in interval_doubts(interval) for part in wrapped(sentence)]
     return lines
 
 
-def interval_over(held: Interval) -> str:
-    """What the machine was solved over, in words."""
-    combinations, sources = len(held.combination), len(held.source)
-    words = [f"{combinations} combinations of hypotheses"] if combinations > 1 else []
+def interval_over(interval: Interval) -> str:
+    """Hypotheses and tolerances over which the machine is solved, in words."""
+    combinations, sources = len(interval.combination), len(interval.source)
+    parts = [f"{combinations} combinations of hypotheses"] if combinations > 1 else []
     if sources:
-        words.append(f"{sources} tolerances (95 % of the machines within them)")
-    return " and ".join(words) or "nothing"
+        parts.append(f"{sources} tolerances (95 % of the machines within them)")
+    return " and ".join(parts) or "nothing"
 
 
-def interval_ranges(held: Interval) -> list[tuple[str, ...]]:
+def interval_ranges(interval: Interval) -> list[tuple[str, ...]]:
     """Ranges of the numbers that vary most, in their order, below a row of headings."""
-    return [HEAD, *(_row(held, k) for k in _shown(held))]
+    return [HEAD, *(_row(interval, k) for k in _shown(interval))]
 
 
-def _shown(held: Interval) -> list[int]:
-    return sorted(held.apart(held.varying())[:MOST])
+def _shown(interval: Interval) -> list[int]:
+    return sorted(interval.apart(interval.varying())[:MOST])
 
 
-def _row(held: Interval, k: int) -> tuple[str, ...]:
-    size = float(np.nanmax(np.abs([held.nominal[k], *held.tolerances[k], *held.hypotheses[k]])))
+def _row(interval: Interval, k: int) -> tuple[str, ...]:
+    size = float(
+        np.nanmax(np.abs([interval.nominal[k], *interval.tolerances[k], *interval.hypotheses[k]]))
+    )
     digits = 0 if size >= 1000.0 else 1 if size >= 10.0 else 3
     ranges = [
-        "..".join(number(float(end), digits) for end in each[k])
-        if np.ptp(each[k]) > NARROW * size
+        "..".join(number(float(end), digits) for end in ends[k])
+        if np.ptp(ends[k]) > NARROW * size
         else "–"
-        for each in (held.hypotheses, held.tolerances)
+        for ends in (interval.hypotheses, interval.tolerances)
     ]
-    for place, without in enumerate((held.without[k], held.without_within[k])):
+    for place, without in enumerate((interval.without[k], interval.without_within[k])):
         ranges[place] += NONE if without else ""
-    ranges[1] += DOUBTFUL if held.interaction[k] > ROUGH else ""
-    rule = held.ruling(k)
+    ranges[1] += DOUBTFUL if interval.interaction[k] > ROUGH else ""
+    rule = interval.ruling(k)
     ruled = f"{_source(rule[0][0])} {rule[0][1]:.0%}" if rule else ""
-    nominal = f"{number(float(held.nominal[k]), digits)} {held.unit[k]}".rstrip()
-    return shortened(AT.sub(r"\1", held.number[k]), LONGEST), nominal, *ranges, ruled
+    nominal = f"{number(float(interval.nominal[k]), digits)} {interval.unit[k]}".rstrip()
+    return shortened(AT.sub(r"\1", interval.number[k]), LONGEST), nominal, *ranges, ruled
 
 
 def _source(path: str) -> str:
-    """The end of a path, by which it is known."""
+    """Short name of a source: the end of its path."""
     plain = ("*", "model", "spindle", "conditions", "bearings", "sleeves", "spring")
     last = ".".join([step for step in path.split(".") if step not in plain][-2:])
     return last if len(last) <= LONGEST_SOURCE else last.rpartition(".")[2]
 
 
-def interval_doubts(held: Interval) -> Iterator[str]:
-    """What these ranges do not hold, a sentence each below a word."""
-    lacking = np.flatnonzero(held.without + held.without_within)
-    words = dict.fromkeys(held.absent[k] for k in lacking)
-    unmet = ", ".join(UNKNOWN if word == ABSENT else word for word in words)
-    if np.isin(lacking, _shown(held)).any():
+def interval_doubts(interval: Interval) -> Iterator[str]:
+    """Sentences on what these ranges do not include, each after a leading word."""
+    lacking = np.flatnonzero(interval.without + interval.without_within)
+    reasons = dict.fromkeys(interval.absent[k] for k in lacking)
+    unmet = ", ".join(UNKNOWN if word == ABSENT else word for word in reasons)
+    if np.isin(lacking, _shown(interval)).any():
         yield (
             f"{NONE}          some of these machines have no such number: {unmet}; ranges over "
             "tolerances end where one that was solved has it"
         )
     elif lacking.size:
         more = f" and {lacking.size - 1} more of the numbers in interval.csv"
-        name = f"{held.number[lacking[0]]}{more if lacking.size > 1 else ''}"
+        name = f"{interval.number[lacking[0]]}{more if lacking.size > 1 else ''}"
         yield f"note       some of these machines have no {name}: {unmet}"
-    errors = held.numerical_error[np.isfinite(held.numerical_error)]
+    errors = interval.numerical_error[np.isfinite(interval.numerical_error)]
     if errors.size:
-        most = rounded_up(float(errors.max()))
-        yield f"beside it  the numerical error, within {most} of these numbers"
-    far = np.flatnonzero(np.nan_to_num(held.interaction) > FAR)
+        largest = rounded_up(float(errors.max()))
+        yield f"beside it  the numerical error, within {largest} of these numbers"
+    far = np.flatnonzero(np.nan_to_num(interval.interaction) > FAR)
     if far.size:
-        worst = max(far, key=lambda k: held.interaction[k])
-        marked = (held.interaction[_shown(held)] > ROUGH).any()
+        worst = max(far, key=lambda k: interval.interaction[k])
+        marked = (interval.interaction[_shown(interval)] > ROUGH).any()
         yield (
             f"{DOUBTFUL if marked else 'note':10} tolerances act on one another: with all off at "
             "once, "
-            f"{held.number[worst]} is {held.interaction[worst]:.0%} of its range from the sum of "
-            "their effects; samples tell"
+            f"{interval.number[worst]} is {interval.interaction[worst]:.0%} of its range from the "
+            "sum of their effects; samples tell"
         )
-    if held.narrowed:
-        yield f"note       {held.narrowed}"
-    if held.lost:
-        yield f"note       left out, without a solution: {shortened(held.lost, 300)}"
+    if interval.narrowed:
+        yield f"note       {interval.narrowed}"
+    if interval.lost:
+        yield f"note       left out, without a solution: {shortened(interval.lost, 300)}"
 
 
-def write_interval(folder: Path, held: Interval) -> None:
-    """The tables ``interval.csv``, ``interval_effects.csv``, ``interval_hypotheses.csv``,
-    ``interval_curves.csv`` and ``sensitivities.csv``, those that have rows."""
-    named: list[Column] = [("number", list(held.number)), ("unit", list(held.unit))]
-    write_table(folder / "interval.csv", named + _numbers(held))
-    if held.source:
-        effects = _pairs(held, "uncertain number", held.source)
-        effects.append(("tolerance", [*held.tolerance] * len(held.number)))
-        effects += _by_end(held, "change at", held.effect.reshape(-1, len(held.end)))
+def write_interval(folder: Path, interval: Interval) -> None:
+    """Write the tables ``interval.csv``, ``interval_effects.csv``, ``interval_hypotheses.csv``,
+    ``interval_curves.csv`` and ``sensitivities.csv``, if they have rows."""
+    names: list[Column] = [("number", list(interval.number)), ("unit", list(interval.unit))]
+    write_table(folder / "interval.csv", names + _numbers(interval))
+    if interval.source:
+        effects = _pairs(interval, "uncertain number", interval.source)
+        effects.append(("tolerance", [*interval.tolerance] * len(interval.number)))
+        effects += _by_end(interval, "change at", interval.effect.reshape(-1, len(interval.end)))
         write_table(folder / "interval_effects.csv", effects)
-    if len(held.combination) > 1:
-        values = zip(held.combination, map(number_cells, held.by_combination.T), strict=True)
-        write_table(folder / "interval_hypotheses.csv", [*named, *values])
-    if held.curve:
-        write_table(folder / "interval_curves.csv", _curves(held))
-    if held.path:
-        write_table(folder / "sensitivities.csv", _sensitivities(held))
+    if len(interval.combination) > 1:
+        values = zip(
+            interval.combination, map(number_cells, interval.by_combination.T), strict=True
+        )
+        write_table(folder / "interval_hypotheses.csv", [*names, *values])
+    if interval.curve:
+        write_table(folder / "interval_curves.csv", _curves(interval))
+    if interval.path:
+        write_table(folder / "sensitivities.csv", _sensitivities(interval))
 
 
-def _numbers(held: Interval) -> list[Column]:
-    rules = [held.ruling(k)[:1] for k in range(len(held.number))]
+def _numbers(interval: Interval) -> list[Column]:
+    rules = [interval.ruling(k)[:1] for k in range(len(interval.number))]
     return [
-        ("nominal", number_cells(held.nominal)),
-        *_by_end(held, "hypotheses,", held.hypotheses),
-        *_by_end(held, "95 % of tolerances,", held.tolerances),
-        *_by_end(held, "worst case of tolerances,", held.worst),
+        ("nominal", number_cells(interval.nominal)),
+        *_by_end(interval, "hypotheses,", interval.hypotheses),
+        *_by_end(interval, "95 % of tolerances,", interval.tolerances),
+        *_by_end(interval, "worst case of tolerances,", interval.worst),
         ("ruled by", [rule[0][0] if rule else "" for rule in rules]),
         ("its share", [f"{rule[0][1]:.3g}" if rule else "" for rule in rules]),
-        ("not the sum of effects, over the range", number_cells(held.interaction)),
-        ("numerical error", number_cells(held.numerical_error)),
+        ("not the sum of effects, over the range", number_cells(interval.interaction)),
+        ("numerical error", number_cells(interval.numerical_error)),
     ]
 
 
-def _curves(held: Interval) -> list[Column]:
+def _curves(interval: Interval) -> list[Column]:
     return [
-        ("curve", [held.curve[k] for k in held.curve_of]),
-        ("abscissa", number_cells(held.x)),
-        ("nominal", number_cells(held.curve_nominal)),
-        *_by_end(held, "hypotheses,", held.curve_hypotheses),
-        *_by_end(held, "95 % of tolerances,", held.curve_tolerances),
+        ("curve", [interval.curve[k] for k in interval.curve_of]),
+        ("abscissa", number_cells(interval.x)),
+        ("nominal", number_cells(interval.curve_nominal)),
+        *_by_end(interval, "hypotheses,", interval.curve_hypotheses),
+        *_by_end(interval, "95 % of tolerances,", interval.curve_tolerances),
     ]
 
 
-def _sensitivities(held: Interval) -> list[Column]:
+def _sensitivities(interval: Interval) -> list[Column]:
     return [
-        *_pairs(held, "by", held.path),
-        ("derivative, by SI unit", number_cells(held.derivative.ravel())),
-        ("relative derivative", number_cells(held.elasticity.ravel())),
-        ("change over the range", number_cells(held.range_effect.ravel())),
+        *_pairs(interval, "by", interval.path),
+        ("derivative, by SI unit", number_cells(interval.derivative.ravel())),
+        ("relative derivative", number_cells(interval.elasticity.ravel())),
+        ("change over the range", number_cells(interval.range_effect.ravel())),
     ]
 
 
-def _pairs(held: Interval, head: str, others: Sequence[str]) -> list[Column]:
-    """A row for every number and each of ``others``, which stand under ``head``."""
+def _pairs(interval: Interval, head: str, entries: Sequence[str]) -> list[Column]:
+    """Columns with a row for every number and each of ``others``, which are under ``head``."""
     return [
-        ("number", [name for name in held.number for _ in others]),
-        ("unit", [unit for unit in held.unit for _ in others]),
-        (head, [*others] * len(held.number)),
+        ("number", [name for name in interval.number for _ in entries]),
+        ("unit", [unit for unit in interval.unit for _ in entries]),
+        (head, [*entries] * len(interval.number)),
     ]
 
 
-def _by_end(held: Interval, words: str, values: Array) -> list[Column]:
+def _by_end(interval: Interval, words: str, values: Array) -> list[Column]:
     """A column for each end of a range, of ``values`` (rows, ends)."""
-    ends = zip(held.end, values.T, strict=True)
-    return [(f"{words} {end}", number_cells(each)) for end, each in ends]
+    ends = zip(interval.end, values.T, strict=True)
+    return [(f"{words} {end}", number_cells(column)) for end, column in ends]
 
 
-def keep(folder: Path, held: Mapping[str, Interval]) -> None:
-    """All intervals of a run in one file, by part."""
-    named = {f"{part}/{NAME}" if part else NAME: each for part, each in held.items()}
-    write_results(folder / FILE, named)
+def keep(folder: Path, intervals: Mapping[str, Interval]) -> None:
+    """Write all intervals of a run, by part, to one file."""
+    by_group = {
+        f"{part}/{NAME}" if part else NAME: interval for part, interval in intervals.items()
+    }
+    write_results(folder / FILE, by_group)
 
 
 def kept(folder: Path) -> dict[str, Interval]:

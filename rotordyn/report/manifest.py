@@ -1,4 +1,4 @@
-"""The record of a run, ``run.json``: what was computed from what, how well, how long it took."""
+"""The record of a run, ``run.json``: its inputs and outcomes, accuracy, and times."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ _LIBRARIES = (
 
 @dataclass(frozen=True, slots=True)
 class RunRecord:
-    """What a run leaves behind besides its numbers.
+    """Record of a run besides its results.
 
     ``digest``: hash of all ``inputs`` read. ``outcomes``: analysis -> outcome word -> speeds [rpm]
     with it. ``tolerances``: name -> the residual reached. ``stages`` and ``figures``: seconds.
-    ``skipped``: what was not made -> why. ``warnings``, ``notes``, ``unsolved``: sentences.
+    ``skipped``: stages and files not made -> why. ``warnings``, ``notes``, ``unsolved``: sentences.
     ``ended``: the run was ended before all was solved.
     """
 
@@ -57,23 +57,23 @@ class RunRecord:
 
 def versions() -> dict[str, str]:
     """Python, platform, rotordyn and the libraries this process has loaded."""
-    named = {
+    base = {
         "python": platform.python_version(),
         "platform": f"{sys.platform} {platform.machine()}",
         "rotordyn": rotordyn.__version__,
     }
     loaded = {name: sys.modules[name] for name in _LIBRARIES if name in sys.modules}
-    return named | {n: str(getattr(m, "__version__", "unknown")) for n, m in loaded.items()}
+    return base | {n: str(getattr(m, "__version__", "unknown")) for n, m in loaded.items()}
 
 
 def outcomes(results: Mapping[str, Any]) -> dict[str, dict[str, list[float]]]:
     """For each analysis: every outcome word and the speeds [rpm] that ended with it."""
     table: dict[str, dict[str, list[float]]] = {}
     for name, result in results.items():
-        words: dict[str, list[float]] = table.setdefault(name, {})
+        speeds: dict[str, list[float]] = table.setdefault(name, {})
         for speed, word in zip(result.speed, result.outcome, strict=True):
-            for one in sorted(set(map(str, np.ravel(word)))):
-                words.setdefault(one, []).append(round(float(speed) * 30.0 / math.pi, 3))
+            for text in sorted(set(map(str, np.ravel(word)))):
+                speeds.setdefault(text, []).append(round(float(speed) * 30.0 / math.pi, 3))
     return table
 
 
@@ -104,19 +104,19 @@ def read_record(folder: Path) -> dict[str, Any]:
             f"{str(folder)[:300]} is no results folder: it holds no {RECORD} of rotordyn"
         )
     versions = record.get("versions")
-    written = isinstance(versions, dict) and versions.get("rotordyn")
+    version = isinstance(versions, dict) and versions.get("rotordyn")
     if record[MARKER] != FORMAT:
         raise InvalidInput(
-            f"{folder} was written by rotordyn {written or 'of another version'} in a form that "
+            f"{folder} was written by rotordyn {version or 'of another version'} in a form that "
             f"rotordyn {rotordyn.__version__} does not read: run the case again"
         )
-    if not (written and _complete(record)):
+    if not (version and _complete(record)):
         raise InvalidInput(f"{folder / RECORD} is damaged: run the case again")
     return record
 
 
 def _complete(record: Mapping[str, Any]) -> bool:
-    """Whether a record has what is read of it: texts, and lists of texts."""
+    """Whether a record has the fields that are read: texts, and lists of texts."""
     texts = [record.get(name) for name in ("case", "title", "digest")]
     texts += record["versions"].values()
     for name in ("inputs", "warnings", "notes", "unsolved"):
@@ -126,7 +126,7 @@ def _complete(record: Mapping[str, Any]) -> bool:
 
 
 def _plain(value: Any) -> Any:
-    """Values JSON knows: numbers that are not finite become words, seconds lose noise digits."""
+    """Convert a value for JSON: numbers that are not finite become words, others six digits."""
     if isinstance(value, Mapping):
         return {str(k): _plain(v) for k, v in value.items()}
     if isinstance(value, list | tuple | set | frozenset):

@@ -1,13 +1,13 @@
 """All results of a run in one NetCDF-4 file, a group per analysis (``variant/analysis`` of many).
 
 Attributes follow the CF conventions (``report.cf``). NetCDF has no complex numbers that every
-reader agrees on: a complex ``x`` is stored as ``x_re`` and ``x_im``, each naming the variable it is
-part of. Truth values are bytes 0 and 1, flags in the sense of CF, with the attribute
+reader agrees on: a complex ``x`` is stored as ``x_re`` and ``x_im``, each with the name of the
+whole variable. Truth values are bytes 0 and 1, flags in the sense of CF, with the attribute
 ``dtype = "bool"``, as xarray writes them. ``read_results`` undoes both. Words are strings; those of
 a dimension stand in a variable of its name, where xarray looks for labels.
 
-xarray reads such a file as well, by its own engine, in ten times the time: that looks up the
-dimensions of every variable anew.
+xarray reads such a file as well, by its own engine, in ten times the time, since that
+looks up the dimensions of every variable anew.
 """
 
 from __future__ import annotations
@@ -59,9 +59,9 @@ def write_results(
 
 
 def read_results(path: Path) -> Mapping[str, xr.Dataset]:
-    """The groups of a results file by analysis name, complex variables put together again.
+    """The groups of a results file by analysis name, with complex variables restored.
 
-    A group is read each time that it is asked for; the mapping itself holds no data.
+    A group is read at every access; the mapping itself holds no data.
 
     Raises
     ------
@@ -73,7 +73,7 @@ def read_results(path: Path) -> Mapping[str, xr.Dataset]:
 
 @contextmanager
 def _reading(path: Path) -> Iterator[Any]:
-    """The file, open; whatever damage leads to is one sentence."""
+    """Open the file; any error from damage becomes one sentence."""
     import h5py
 
     with h5py.File(path, "r") as file:
@@ -89,7 +89,7 @@ class _Groups(Mapping[str, "xr.Dataset"]):
     def __init__(self, path: Path) -> None:
         self._path, self._state = path, _state(path)
         with _reading(path) as file:
-            self._names = _held(file)
+            self._names = _result_groups(file)
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._names)
@@ -110,7 +110,7 @@ class _Groups(Mapping[str, "xr.Dataset"]):
 
 
 def _state(path: Path) -> tuple[int, int] | None:
-    """What tells a file from another that took its place; None where there is none."""
+    """Identity of a file, by which a replacement is detected; None where there is no file."""
     try:
         status = path.stat()
     except FileNotFoundError:
@@ -118,7 +118,7 @@ def _state(path: Path) -> tuple[int, int] | None:
     return status.st_ino, status.st_mtime_ns
 
 
-def _held(group: Any, above: str = "") -> list[str]:
+def _result_groups(group: Any, above: str = "") -> list[str]:
     """Names of the groups that hold a result, those in groups included."""
     import h5py
 
@@ -126,12 +126,12 @@ def _held(group: Any, above: str = "") -> list[str]:
     for name, inner in group.items():
         if isinstance(inner, h5py.Group):
             path = f"{above}{name}"
-            names += [path] if "result" in inner.attrs else _held(inner, f"{path}/")
+            names += [path] if "result" in inner.attrs else _result_groups(inner, f"{path}/")
     return names
 
 
 def _write_group(group: Any, result: Any, number: Iterator[int]) -> None:
-    """A result; ``number`` counts the dimensions of the whole file."""
+    """Write a result to a group; ``number`` counts the dimensions of the whole file."""
     group.attrs["result"] = type(result).__name__
     parts = [half for variable in variables(result) for half in _storable(variable)]
     names = {v.name for v in parts}
@@ -152,35 +152,35 @@ def _write_group(group: Any, result: Any, number: Iterator[int]) -> None:
 
 
 def _stored(group: Any, v: Variable) -> Any:
-    """The values of a variable with its attributes, in a group of a file."""
+    """Store the values of a variable and its attributes in a group of a file."""
     import h5py
 
-    words = v.values.dtype.kind == "U"
-    kind = h5py.string_dtype() if words else v.values.dtype
+    is_text = v.values.dtype.kind == "U"
+    kind = h5py.string_dtype() if is_text else v.values.dtype
     # CF: a missing value is declared, and coordinates have none.
     has_gaps = v.role == "quantity" and v.values.dtype.kind == "f"
     missing = {"_FillValue": np.full(1, np.nan)} if has_gaps else {}
-    held = _created(group, v.name, v.values.shape, kind, np.nan if has_gaps else None)
+    stored = _created(group, v.name, v.values.shape, kind, np.nan if has_gaps else None)
     if v.values.size:
-        held[...] = v.values.astype(object) if words else v.values
-    held.attrs.update(missing | v.attrs)
-    return held
+        stored[...] = v.values.astype(object) if is_text else v.values
+    stored.attrs.update(missing | v.attrs)
+    return stored
 
 
 def _created(group: Any, name: str, shape: tuple[int, ...], kind: Any, gap: Any = None) -> Any:
-    """A variable without values; NetCDF has no empty dimension but one that may grow."""
+    """Create a variable without values; in NetCDF an empty dimension must be unlimited."""
     grows = {"maxshape": tuple(n or None for n in shape)} if 0 in shape else {}
     return group.create_dataset(name, shape, kind, fillvalue=gap, track_order=True, **grows)
 
 
 def _covered(variable: Variable, parts: list[Variable]) -> str:
-    """Names of the auxiliary coordinates, which xarray then does not take for data."""
+    """Names of the auxiliary coordinates of a variable, which xarray then does not read as data."""
     auxiliary = [v for v in parts if v.role == "auxiliary"]
     return " ".join(v.name for v in auxiliary if set(v.dims) <= set(variable.dims))
 
 
 def _storable(variable: Variable) -> list[Variable]:
-    """The variable in the types NetCDF has: complex in two halves, truth values as bytes."""
+    """The variable in types of NetCDF: complex values in two halves, truth values as bytes."""
     values, attrs = variable.values, variable.attrs
     if values.dtype.kind == "b":
         return [variable._replace(values=values.astype(np.int8), attrs=attrs | FLAGS)]
@@ -202,16 +202,17 @@ def _restored(group: Any) -> xr.Dataset:
     import xarray as xr
 
     members = dict(group.items())
-    scales = {held.id: name for name, held in members.items() if held.is_scale}
+    scales = {member.id: name for name, member in members.items() if member.is_scale}
     stored = {
-        name: _variable(held, scales)
-        for name, held in members.items()
-        if held.id not in scales or not _text(held.attrs.get("NAME", "")).startswith(NO_VARIABLE)
+        name: _variable(member, scales)
+        for name, member in members.items()
+        if member.id not in scales
+        or not _text(member.attrs.get("NAME", "")).startswith(NO_VARIABLE)
     }
     for real in [v for v in stored.values() if v.attrs.get("complex_part") == "real"]:
         name = real.attrs["complex_name"]
-        both = stored.pop(f"{name}_re"), stored.pop(f"{name}_im")
-        stored[name] = _joined(*both)
+        halves = stored.pop(f"{name}_re"), stored.pop(f"{name}_im")
+        stored[name] = _joined(*halves)
     for variable in stored.values():
         variable.attrs.pop("coordinates", None)
     coordinates = {n for n in stored if n.endswith("speed_rpm") or (n,) == stored[n].dims}
@@ -222,25 +223,25 @@ def _restored(group: Any) -> xr.Dataset:
     )
 
 
-def _variable(held: Any, scales: Mapping[Any, str]) -> xr.Variable:
+def _variable(stored: Any, scales: Mapping[Any, str]) -> xr.Variable:
     """A variable with the names of its dimensions, by their scales."""
     import xarray as xr
 
-    dims = [scales[dim[0].id] if len(dim) else scales[held.id] for dim in held.dims]
-    attrs = _attributes(held)
-    if held.dtype.kind == "O":
-        values = held.asstr()[...].astype(str)
+    dims = [scales[dim[0].id] if len(dim) else scales[stored.id] for dim in stored.dims]
+    attrs = _attributes(stored)
+    if stored.dtype.kind == "O":
+        values = stored.asstr()[...].astype(str)
     elif attrs.pop("dtype", "") == "bool":
-        values = held[...].astype(bool)
+        values = stored[...].astype(bool)
         del attrs["flag_values"], attrs["flag_meanings"]
     else:
-        values = held[...]
+        values = stored[...]
     return xr.Variable(dims, values, attrs)
 
 
-def _attributes(held: Any) -> dict[str, Any]:
+def _attributes(stored: Any) -> dict[str, Any]:
     """Attributes without those of the file format."""
-    attrs = held.attrs
+    attrs = stored.attrs
     return {name: _text(attrs[name]) for name in attrs if name not in OF_FORMAT}
 
 

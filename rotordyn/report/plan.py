@@ -1,4 +1,4 @@
-"""How a case was solved, as text: stages below what asked for them, what was spared or not run."""
+"""Plan of a solved case as text: stages below their callers, what was spared or not run."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from rotordyn.results.text import wrapped
 
-COLUMN = 48  # of the times
+COLUMN = 48  # at which times are printed
 
 
 def plan(
@@ -16,10 +16,10 @@ def plan(
     skipped: Mapping[str, str],
     job: Mapping[str, float],
 ) -> str:
-    """Stages as a tree with their own ``seconds``, each below the one that ``parents`` first.
+    """Stages as a tree with their ``seconds``, each below its first caller in ``parents``.
 
     ``spared``: sentences; ``skipped``: stages and pictures that were not made -> why; ``job``:
-    seconds of what is done around the stages.
+    seconds of the work outside the stages.
     """
     lines = ["stages, each below what first asked for it, and its own time"]
     lines += _tree(seconds, parents, "", 1)
@@ -27,17 +27,20 @@ def plan(
     if spared:
         lines += ["spared", *_entries(spared)]
     if skipped:
-        together: dict[str, list[str]] = {}
+        reasons: dict[str, list[str]] = {}
         for name, why in skipped.items():
-            together.setdefault(why, []).append(name)
-        lines += ["not run", *_entries(f"{', '.join(names)}: {w}" for w, names in together.items())]
+            reasons.setdefault(why, []).append(name)
+        lines += [
+            "not run",
+            *_entries(f"{', '.join(names)}: {w}" for w, names in reasons.items()),
+        ]
     return "\n".join(lines)
 
 
 def _tree(
-    seconds: Mapping[str, float], parents: Mapping[str, str], above: str, depth: int
+    seconds: Mapping[str, float], parents: Mapping[str, str], caller: str, depth: int
 ) -> Iterator[str]:
-    for name in (name for name, by in parents.items() if by == above and name in seconds):
+    for name in (name for name, parent in parents.items() if parent == caller and name in seconds):
         yield _timed(name, seconds[name], depth)
         yield from _tree(seconds, parents, name, depth + 1)
 

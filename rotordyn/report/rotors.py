@@ -24,25 +24,25 @@ def rotor_lines(spindle: Spindle) -> list[str]:
     lines = []
     for name, ratio in spindle.ratios.items():
         m = rotor_inertia(spindle.part(name))
-        turns = f"{name}, {ratio:g} × the speed, " if name != SPINDLE else ""
+        prefix = f"{name}, {ratio:g} × the speed, " if name != SPINDLE else ""
         lines.append(
-            f"rotor      {turns}{_mass(m.mass)}, centre of gravity at {m.centre * 1e3:.1f} mm, "
+            f"rotor      {prefix}{_mass(m.mass)}, centre of gravity at {m.centre * 1e3:.1f} mm, "
             f"inertia polar {m.polar:.4g}, diametral {m.diametral:.4g} kg m²"
         )
     return lines
 
 
 def rotor_table(variants: Sequence[Described]) -> tuple[list[str], list[list[str]]]:
-    """Heads, and a row for each rotor of each variant, once where these are alike; no row where
-    there is none."""
-    held = [(v.title or v.name, _rows(v.spindle)) for v in variants if v.spindle is not None]
-    several = any(len(rows) > 1 for _, rows in held)
-    apart = any(rows != held[0][1] for _, rows in held)
-    first, last = int(apart and not several), None if several else -1
-    heads = [*["variant"] * apart, *["rotor", *HEADS, SPEED][first:last]]
+    """Heads, and a row for each rotor of each variant, once where variants are equal; no row
+    without rotors."""
+    rotors = [(v.title or v.name, _rows(v.spindle)) for v in variants if v.spindle is not None]
+    several = any(len(rows) > 1 for _, rows in rotors)
+    differ = any(rows != rotors[0][1] for _, rows in rotors)
+    first, last = int(differ and not several), None if several else -1
+    heads = [*["variant"] * differ, *["rotor", *HEADS, SPEED][first:last]]
     return heads, [
-        [*[title] * apart, *row[first:last]]
-        for title, rows in (held if apart else held[:1])
+        [*[title] * differ, *row[first:last]]
+        for title, rows in (rotors if differ else rotors[:1])
         for row in rows
     ]
 

@@ -1,4 +1,4 @@
-"""Variants as plain text: a table for every question, a line per variant."""
+"""Variants as plain text: a table for every analysis, a line per variant."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from rotordyn.results.text import aligned, from_to, opening, wrapped
 
 Variant = tuple[Described, Mapping[str, Any]]
 T = TypeVar("T")
-MOST, FEW = 14, 8  # rows that are all shown; of more, so many
+MOST, FEW = 14, 8  # most rows that are all shown; number shown of more
 
 
 def comparison_summary(
@@ -33,23 +33,23 @@ def comparison_summary(
     Of many variants a few are shown, evenly through their order; ``variants.csv`` has all.
     """
     top = opening(warnings, called(case), notes, unsolved)
-    lines = [*top, *_rotors([of for of, _ in variants])]
+    lines = [*top, *_rotors([described for described, _ in variants])]
     for name in in_order(*(results for _, results in variants)):
         heads, rows = headline_cells(name, variants)
         if heads:
             title = f"{analysis(name).heading}, {_ends(variants, name)}"
-            lines += ["", title, *aligned([["", *heads], *_some(rows)]), *_rest(rows)]
+            lines += ["", title, *aligned([["", *heads], *_sampled(rows)]), *_rest(rows)]
     known = _known(variants)
     return "\n".join([*lines, *([""] if known else []), *known])
 
 
 def _rotors(variants: Sequence[Described]) -> list[str]:
-    """Those of every variant; lines as of one machine where they are alike."""
+    """Lines of the rotors of every variant; as of one machine where they are equal."""
     heads, rows = rotor_table(variants)
     if heads[0] == "variant":
-        left = [f"{FEW} of {len(rows)} rotors"] * (len(rows) > MOST)
-        return ["", "rotor", *aligned([["", *heads[1:]], *_some(rows)]), *left]
-    spindles = [each.spindle for each in variants if each.spindle is not None]
+        note = [f"{FEW} of {len(rows)} rotors"] * (len(rows) > MOST)
+        return ["", "rotor", *aligned([["", *heads[1:]], *_sampled(rows)]), *note]
+    spindles = [variant.spindle for variant in variants if variant.spindle is not None]
     return [part for line in rotor_lines(spindles[0]) for part in wrapped(line)] if rows else []
 
 
@@ -58,7 +58,7 @@ def _ends(variants: Sequence[Variant], name: str) -> str:
     return f"{from_to(speed * RPM.factor, 0)} rpm"
 
 
-def _some(rows: Sequence[T]) -> Sequence[T]:
+def _sampled(rows: Sequence[T]) -> Sequence[T]:
     if len(rows) <= MOST:
         return rows
     return [rows[round(k * (len(rows) - 1) / (FEW - 1))] for k in range(FEW)]
@@ -69,18 +69,18 @@ def _rest(rows: Sequence[Any]) -> list[str]:
 
 
 def _known(variants: Sequence[Variant]) -> list[str]:
-    """Every known value once, and beside it what each variant it applies to gives."""
+    """Lines of every known value, once, with the values computed by the variants it applies to."""
     beside: dict[Reference, list[tuple[str, str]]] = {}
     for case, results in variants:
-        for each in matches(case.known, results, case.spindle):
-            ours = computed_values(each)
-            beside.setdefault(each.reference, []).append((case.title, ours))
-    return [line for reference, ours in beside.items() for line in _beside(reference, ours)]
+        for match in matches(case.known, results, case.spindle):
+            ours = computed_values(match)
+            beside.setdefault(match.reference, []).append((case.title, ours))
+    return [line for reference, ours in beside.items() for line in _comparison(reference, ours)]
 
 
-def _beside(reference: Reference, ours: Sequence[tuple[str, str]]) -> list[str]:
+def _comparison(reference: Reference, computed: Sequence[tuple[str, str]]) -> list[str]:
     head = f"{reference.kind}  {known_values(reference)}"
-    if len(ours) > 1 and len({values for _, values in ours}) == 1:
-        ours = [("all of them", ours[0][1])]
-    lines = [head, *(f"    {title}: {values}" for title, values in _some(ours))]
+    if len(computed) > 1 and len({values for _, values in computed}) == 1:
+        computed = [("all of them", computed[0][1])]
+    lines = [head, *(f"    {title}: {values}" for title, values in _sampled(computed))]
     return [part for line in lines for part in wrapped(line)]

@@ -1,4 +1,4 @@
-"""A run as plain text: all that its analyses say, in lines of 100 columns."""
+"""Summary of a run as plain text, in lines of 100 columns."""
 
 from __future__ import annotations
 
@@ -37,8 +37,8 @@ def summary(
     if case.bearing is not None:
         lines.append(_single(case.bearing))
     names = in_order(results)
-    if words := [word for name in names for word in analysis(name).accuracy(results[name])]:
-        lines.append(f"accuracy   estimated errors by refinement: {', '.join(words)}")
+    if accuracies := [word for name in names for word in analysis(name).accuracy(results[name])]:
+        lines.append(f"accuracy   estimated errors by refinement: {', '.join(accuracies)}")
     lines += [line for name in names for line in analysis(name).summary(results[name])]
     top = opening(warnings, called(case), notes, unsolved)
     text = [*top, *(part for line in lines for part in wrapped(line))]
@@ -69,13 +69,13 @@ def _single(bearing: BallBearing) -> str:
 
 
 def _which(seat: BearingSeat) -> str:
-    """The way it takes thrust, where that is one; its kind, where that is not the usual one."""
+    """Direction of thrust of a seat, unless it takes both; its kind, unless that is the default."""
     kind = kind_of(seat.bearing)
-    named = "" if kind == DEFAULT else f" {kind.replace('_', ' ')}"
-    named += " (estimate)" if seat.bearing.estimated else ""
+    text = "" if kind == DEFAULT else f" {kind.replace('_', ' ')}"
+    text += " (estimate)" if seat.bearing.estimated else ""
     if seat.bearing.both_ways:
-        return named
-    return f"{named} {'+' if seat.thrust > 0 else '−'}"
+        return text
+    return f"{text} {'+' if seat.thrust > 0 else '−'}"
 
 
 def _balls(spindle: Spindle) -> str:
@@ -105,14 +105,14 @@ def _sleeve(sleeve: Sleeve) -> str:
 
 
 def _guide(sleeve: Sleeve) -> str:
-    """What holds it across the axis, where that is a ball guide."""
+    """Ball guide of a sleeve; empty where it has none."""
     if sleeve.ball_guide is None:
         return ""
     law = sleeve.ball_guide.law
-    reach = law.linear_range()
+    limit = law.linear_range()
     return (
-        f"; ball guide {law.stiffness / 1e6:.4g} N/µm, within 1 % up to {reach * 1e6:.2g} µm or "
-        f"{float(law.force(reach)):.3g} N"
+        f"; ball guide {law.stiffness / 1e6:.4g} N/µm, within 1 % up to {limit * 1e6:.2g} µm or "
+        f"{float(law.force(limit)):.3g} N"
     )
 
 

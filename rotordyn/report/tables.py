@@ -33,7 +33,7 @@ def write_tables(folder: Path, results: Mapping[str, Any]) -> list[str]:
             if columns[0][1]:
                 names.append(write_table(folder / f"{layout.name}.csv", columns))
         for table in analysis(name).further_tables(result):
-            columns = [column for each in table.columns for column in _parts(*each)]
+            columns = [part for column in table.columns for part in _parts(*column)]
             names.append(write_table(folder / f"{table.name}.csv", columns))
     return names
 
@@ -69,7 +69,7 @@ def _belongs(dims: tuple[str, ...], layout: Layout) -> bool:
 def _quantity_columns(
     result: Any, name: str, layout: Layout, shape: tuple[int, ...]
 ) -> Iterator[Column]:
-    """The columns of one quantity: one, or one per place ``across`` it."""
+    """Columns of one quantity: one, or one per entry ``across`` it."""
     info, values = declared(result)[name].metadata, as_array(getattr(result, name))
     across = [d for d in info["dims"] if d not in layout.rows]
     if len(info["dims"]) - len(across) < len(layout.rows):
@@ -78,63 +78,67 @@ def _quantity_columns(
         yield _column(info["label"], info["printed"], np.broadcast_to(values, shape))
         return
     order = [info["dims"].index(d) for d in (*layout.rows, *across)]
-    words = list(product(*(getattr(result, d) for d in across)))
-    flat = values.transpose(order).reshape(prod(shape), len(words))
-    for place, word in enumerate(words):
-        to = _unit_of(word, across) or _own_unit(result, name, word, across) or info["printed"]
-        label = f"{info['label']} {','.join(word)}" if word else info["label"]
-        yield from _parts(label, to, flat[:, place])
+    entries = list(product(*(getattr(result, d) for d in across)))
+    flat = values.transpose(order).reshape(prod(shape), len(entries))
+    for place, entry in enumerate(entries):
+        unit = (
+            _unit_by_name(entry, across)
+            or _listed_unit(result, name, entry, across)
+            or info["printed"]
+        )
+        label = f"{info['label']} {','.join(entry)}" if entry else info["label"]
+        yield from _parts(label, unit, flat[:, place])
 
 
-def _unit_of(word: tuple[str, ...], across: list[str]) -> Shown | None:
-    """The unit of one place ``across``, where each has its own."""
+def _unit_by_name(entry: tuple[str, ...], across: list[str]) -> Shown | None:
+    """Unit of one entry ``across``, where its name determines the unit."""
     if across == ["dof", "dof_other"]:
-        return shown(stiffness_unit(*word))
-    return shown(load_unit(*word)) if across == ["component"] else None
+        return shown(stiffness_unit(*entry))
+    return shown(load_unit(*entry)) if across == ["component"] else None
 
 
-def _own_unit(result: Any, name: str, word: tuple[str, ...], across: list[str]) -> Shown | None:
-    """The unit of one place ``across`` where the entries of a field have their own: that of this
-    entry, or the one of all."""
-    each = [*result.entry_units(name)] if hasattr(result, "entry_units") else []
-    if len(set(each)) == 1:
-        return shown(each[0])
+def _listed_unit(result: Any, name: str, entry: tuple[str, ...], across: list[str]) -> Shown | None:
+    """Unit of one entry ``across`` of a field that lists units: that of this entry, or the one that
+    all have."""
+    units = [*result.entry_units(name)] if hasattr(result, "entry_units") else []
+    if len(set(units)) == 1:
+        return shown(units[0])
     entries = [*getattr(result, across[0])] if len(across) == 1 else []
-    return shown(each[entries.index(word[0])]) if each and len(entries) == len(each) else None
+    return shown(units[entries.index(entry[0])]) if units and len(entries) == len(units) else None
 
 
-def _parts(label: str, to: Shown, values: NDArray[Any]) -> Iterator[Column]:
+def _parts(label: str, unit: Shown, values: NDArray[Any]) -> Iterator[Column]:
     if values.dtype.kind != "c":
-        yield _column(label, to, values)
+        yield _column(label, unit, values)
         return
-    yield _column(f"{label} real", to, values.real)
-    yield _column(f"{label} imaginary", to, values.imag)
+    yield _column(f"{label} real", unit, values.real)
+    yield _column(f"{label} imaginary", unit, values.imag)
 
 
-def _column(label: str, to: Shown, values: NDArray[Any]) -> Column:
-    header = f"{label} [{to.unit}]" if to.unit else label
+def _column(label: str, unit: Shown, values: NDArray[Any]) -> Column:
+    header = f"{label} [{unit.unit}]" if unit.unit else label
     if values.dtype.kind != "f":
         return header, values.ravel().tolist()
-    return header, _printed((values.ravel() * to.factor).tolist())
+    return header, _printed((values.ravel() * unit.factor).tolist())
 
 
 def _printed(values: list[float]) -> list[str]:
-    """Numbers with 7 digits, or 12 where ascending ones would not be told apart."""
-    words = number_cells(values)
-    pairs = zip(pairwise(words), pairwise(values), strict=True)
-    alike = any(a == b and x < y for (a, b), (x, y) in pairs)
-    return number_cells(values, 12) if alike else words
+    """Numbers with 7 digits, or 12 where ascending ones would not differ."""
+    cells = number_cells(values)
+    pairs = zip(pairwise(cells), pairwise(values), strict=True)
+    ambiguous = any(a == b and x < y for (a, b), (x, y) in pairs)
+    return number_cells(values, 12) if ambiguous else cells
 
 
 def number_cells(values: Iterable[float], digits: int = 7) -> list[str]:
-    """Numbers with so many digits, nothing where there is none."""
+    """Numbers with ``digits`` digits as text; empty for NaN."""
     return ["" if math.isnan(value) else f"{value:.{digits}g}" for value in values]
 
 
 def write_table(path: Path, columns: Iterable[Column]) -> str:
     """Write a CSV file of columns; returns its name."""
     columns = list(columns)
-    with path.open("w", newline="", encoding="utf-8-sig") as file:  # by its mark Excel sees UTF-8
+    with path.open("w", newline="", encoding="utf-8-sig") as file:  # Excel needs the mark for UTF-8
         writer = csv.writer(file)
         writer.writerow([header for header, _ in columns])
         writer.writerows(zip(*(values for _, values in columns), strict=True))

@@ -18,8 +18,8 @@ class Variable(NamedTuple):
 
     ``role``: ``"coordinate"`` (the values of a dimension), ``"auxiliary"`` (the same values in
     another unit) or ``"quantity"``. ``attrs``: ``long_name``, ``units`` (or ``units_of_entries``,
-    where they differ); ``comment``: how it is read, where it has no number beside what an outcome
-    says; of complex values ``sign_convention``.
+    where they differ); ``comment``: how it is read, and where it has no number other than by an
+    outcome; of complex values ``sign_convention``.
     """
 
     name: str
@@ -35,7 +35,7 @@ def variables(result: Any) -> list[Variable]:
 
 
 def as_array(value: Any) -> NDArray[Any]:
-    """``value`` as an array; a tuple is words."""
+    """``value`` as an array; a tuple holds words."""
     return np.array(value, dtype=str) if isinstance(value, tuple) else np.asarray(value)
 
 
@@ -43,8 +43,8 @@ def _variables(result: Any, name: str) -> Iterator[Variable]:
     info = declared(result)[name].metadata
     values = as_array(getattr(result, name))
     attrs = {"long_name": info["label"], **units(_unit(result, name, info["unit"]))}
-    if said := [*filter(None, (info.get("comment"), absence(info)))]:
-        attrs["comment"] = "; ".join(said)
+    if remarks := [*filter(None, (info.get("comment"), absence(info)))]:
+        attrs["comment"] = "; ".join(remarks)
     if values.dtype.kind == "c":
         attrs["sign_convention"] = SIGN_CONVENTION
     dims = info["dims"]
@@ -58,6 +58,6 @@ def _variables(result: Any, name: str) -> Iterator[Variable]:
 
 
 def _unit(result: Any, name: str, declared_unit: str) -> str:
-    """SI unit of a field; listed entry by entry where a result says so of its ``entry_units``."""
-    each = result.entry_units(name) if hasattr(result, "entry_units") else ()
-    return ", ".join(each if len(set(each)) > 1 else each[:1]) or declared_unit
+    """SI unit of a field; a list by entry where the ``entry_units`` of the result differ."""
+    entries = result.entry_units(name) if hasattr(result, "entry_units") else ()
+    return ", ".join(entries if len(set(entries)) > 1 else entries[:1]) or declared_unit

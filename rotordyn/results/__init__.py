@@ -1,1 +1,1 @@
-"""What results are: declared arrays, their printed units and lines of text."""
+"""Results: declared arrays, their printed units and lines of text."""

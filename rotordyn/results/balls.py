@@ -1,4 +1,4 @@
-"""What is reported of the balls of a bearing."""
+"""Quantities of the balls of a bearing, and warnings of them."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def pressed(what: str, speed: NDArray[np.float64], peak: NDArray[np.float64]) ->
 
 
 def preloaded(what: str, speed: NDArray[np.float64], peak: NDArray[np.float64]) -> str:
-    """A warning where pressures at rest are beyond those of usual preloads, else nothing."""
+    """A warning where pressures at rest exceed those of usual preloads, else nothing."""
     at_rest = np.nanmax(peak[speed == 0.0], initial=0.0)
     if not at_rest > PRELOAD_PRESSURE:
         return ""
@@ -61,7 +61,7 @@ def of_a_pair(rating: float, of_grooves: float) -> str:
 
 
 def unsafe(safety: NDArray[np.float64], speed: NDArray[np.float64]) -> str:
-    """A warning where the static safety (speeds, …) leaves the range of lives, else nothing."""
+    """A warning where the static safety (speeds, …) is too low for computed lives, else nothing."""
     low = safety < LEAST_SAFETY
     if not low.any():
         return ""
@@ -75,8 +75,8 @@ def unsafe(safety: NDArray[np.float64], speed: NDArray[np.float64]) -> str:
 def overloaded(
     load: NDArray[np.float64], rating: NDArray[np.float64], speed: NDArray[np.float64]
 ) -> str:
-    """A warning where the equivalent load (speeds, …) is beyond half the dynamic rating [N], up to
-    which ISO/TS 16281 knows lives, else nothing."""
+    """A warning where the equivalent load (speeds, …) exceeds half the dynamic rating [N], up to
+    which ISO/TS 16281 is valid, else nothing."""
     high = 2.0 * load > rating
     if not high.any():
         return ""
@@ -87,7 +87,7 @@ def overloaded(
 
 
 def no_film(gone: NDArray[np.bool_], speed: NDArray[np.float64]) -> str:
-    """A warning where loaded contacts that turn have no film (speeds, …), else nothing."""
+    """A warning where loaded contacts at speed have no film (speeds, …), else nothing."""
     if not gone.any():
         return ""
     return (
@@ -118,16 +118,16 @@ def slipping(what: str, speed: NDArray[np.float64], races: NDArray[np.str_]) -> 
 
 
 def gripping(what: str, speed: NDArray[np.float64], grip: NDArray[np.float64]) -> str:
-    """A warning where balls keep from slipping only by much friction at some speed, else nothing.
+    """A warning where rolling without slip requires high friction at some speed, else nothing.
 
-    0.1 is about what oil-lubricated steel on steel has at most (Harris and Kotzalas, Rolling
+    0.1 is about the most that oil-lubricated steel on steel has (Harris and Kotzalas, Rolling
     Bearing Analysis, 5th ed., on gyroscopic motion: 0.02 to 0.1).
     """
-    much = grip > GRIP
-    if not much.any():
+    high = grip > GRIP
+    if not high.any():
         return ""
     return (
         f"{what}: its balls roll without gyroscopic slip only if friction is above "
         f"{np.nanmax(grip):.2g}, more than the {GRIP:g} of oiled contacts "
-        f"{which_of(speed, much)}; raise its preload, or set friction to see it slip"
+        f"{which_of(speed, high)}; raise its preload, or set friction to see it slip"
     )

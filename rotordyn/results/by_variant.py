@@ -1,4 +1,4 @@
-"""What variants have in common is said once."""
+"""Sentences of variants, merged where they are equal."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ MOST_NAMED = 3  # variants that one sentence names
 
 
 def by_variant(said: Mapping[str, Iterable[str]]) -> tuple[str, ...]:
-    """What is ``said`` of variants by name, each sentence once, led by the names of its variants.
+    """Merge sentences by variant (``said``): each once, led by the names of its variants.
 
     >>> by_variant({"a": ["low", "hot"], "b": ["low"], "c": []})
     ('a, b: low', 'a: hot')
@@ -18,8 +18,8 @@ def by_variant(said: Mapping[str, Iterable[str]]) -> tuple[str, ...]:
         for sentence in dict.fromkeys(sentences):
             names.setdefault(sentence, []).append(name)
     return tuple(
-        f"{_listed(held, len(said))}: {sentence}" if any(held) else sentence
-        for sentence, held in names.items()
+        f"{_listed(variants, len(said))}: {sentence}" if any(variants) else sentence
+        for sentence, variants in names.items()
     )
 
 

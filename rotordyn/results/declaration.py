@@ -1,4 +1,4 @@
-"""How a result says what its numbers are: dimensions, unit and label travel with every field.
+"""Declarations of the fields of results: each field carries its dimensions, unit and label.
 
 A result is a frozen dataclass. Its array fields are declared with ``quantity`` (data over named
 dimensions) or ``coordinate`` (the values of one dimension); everything else about files, tables and
@@ -15,9 +15,9 @@ from rotordyn.results.display import Shown, shown
 
 
 class Absence(NamedTuple):
-    """Why a quantity has no finite number where no outcome says so, and where that is.
+    """Why a quantity has no finite number where no outcome gives the reason, and where.
 
-    ``words`` follow "NaN" or "infinite". It is so for whole slices along ``by`` (none: everywhere
+    ``words`` follow "NaN" or "infinite". It applies to whole slices along ``by`` (none: everywhere
     or nowhere); or ``beside`` another field that is NaN, infinite, zero, false or empty there; or
     behind the ``last`` number along a dimension.
     """
@@ -44,8 +44,8 @@ def quantity(
     be known to read it, such as its frame.
     """
     metadata = _metadata("quantity", dims, unit, label, printed)
-    said = {"absent": absent, "infinite": infinite, "comment": comment}
-    return field(metadata=metadata | said)
+    remarks = {"absent": absent, "infinite": infinite, "comment": comment}
+    return field(metadata=metadata | remarks)
 
 
 def coordinate(dim: str, *, unit: str, label: str, printed: Shown | None = None) -> Any:
@@ -61,9 +61,11 @@ def _metadata(
 
 
 def absence(info: Mapping[str, Any]) -> str:
-    """What is said of places without a number, of the metadata of a field; empty if nothing is."""
+    """Explanation of missing and infinite numbers, from the metadata of a field; may be empty."""
     kinds = {"NaN": info.get("absent", ()), "infinite": info.get("infinite", ())}
-    return "; ".join(f"{kind} {each.words}" for kind, said in kinds.items() for each in said)
+    return "; ".join(
+        f"{kind} {reason.words}" for kind, reasons in kinds.items() for reason in reasons
+    )
 
 
 def declared(result: Any) -> dict[str, Field[Any]]:

@@ -1,4 +1,4 @@
-"""What figures, texts, pages and files need to know of a case, and of its variants."""
+"""Data of a case, and of its variants, that figures, texts, pages and files need."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Described(Protocol):
 
 
 class Shown(NamedTuple):
-    """A variant, or the only machine of a case: its title, its result, and what is known of it."""
+    """A variant, or the only machine of a case: its title, its result, and known values."""
 
     title: str
     result: Any

@@ -1,12 +1,12 @@
-"""The unit in which an engineer reads each SI quantity: for tables and figures only."""
+"""Printed unit of each SI quantity, for tables and figures only."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
 
-ROUNDING = 1e-6  # of a printed value: less is none
-SMALL, LEAST = 1e-3, 1e-15  # of values that are small by their unit, and of rounding beside them
+ROUNDING = 1e-6  # of a printed value: less is printed as zero
+SMALL, LEAST = 1e-3, 1e-15  # bounds of values that are small by their unit, not by rounding
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,7 +18,7 @@ class Shown:
 
 
 RPM = Shown("rpm", 30.0 / math.pi)
-PER_SECOND = Shown("rad/s")  # of poles, which are no speeds
+PER_SECOND = Shown("rad/s")  # of poles, which are not speeds
 MILLIMETRE = Shown("mm", 1e3)
 MICROMETRE = Shown("µm", 1e6)
 GRAM_MILLIMETRE = Shown("g·mm", 1e6)
@@ -42,12 +42,12 @@ _ENGINEERING = {
 
 
 def shown(unit: str) -> Shown:
-    """How a value of SI ``unit`` is printed; unknown units stay as they are."""
+    """Printed unit of values in SI ``unit``; unknown units stay as they are."""
     return _ENGINEERING.get(unit, Shown(unit))
 
 
 def percent(share: float) -> str:
-    """A share with two digits.
+    """Format a share in percent, with two digits.
 
     >>> [percent(each) for each in (0.0561, 0.5, 1.0)]
     ['5.6 %', '50 %', '100 %']
@@ -56,23 +56,23 @@ def percent(share: float) -> str:
 
 
 def number(value: float, digits: int = 1) -> str:
-    """Printed with ``digits`` decimals, with three digits where these would leave fewer; "none"
-    where there is no value.
+    """Format a value with ``digits`` decimals, or three digits where these would leave fewer;
+    "none" without a value.
 
     >>> [number(each) for each in (903.04, 2.459, 0.0347, 1e-12, math.nan)], number(95.28, 0)
     (['903.0', '2.46', '0.0347', '0.0', 'none'], '95.3')
     """
     if not math.isfinite(value):
         return "none"
-    value = value if abs(value) > ROUNDING else 0.0  # of no sign
+    value = value if abs(value) > ROUNDING else 0.0  # without a sign
     if 0.0 < abs(value) < 10.0 ** (1 - digits):
         return f"{value:.3g}"
     return f"{value:.{digits + (0.0 < abs(value) < 10.0 ** (2 - digits))}f}"
 
 
 def sized(value: float, digits: int, *size: float) -> str:
-    """The same, also of values that are small by their unit, such as m/N, and of those without
-    bound; ``size``: of what stands beside it.
+    """Format a value as ``number`` does, also values that are small by their unit, such as m/N, and
+    unbounded ones; ``size``: of adjacent values.
 
     >>> sized(3.0e-7, 6, 2.9e-7), sized(0.0, 6, 2e-7), sized(0.25, 3), sized(1e-17, 3)
     ('3e-07', '0', '0.250', '0.000')
@@ -81,14 +81,14 @@ def sized(value: float, digits: int, *size: float) -> str:
     """
     if math.isinf(value):
         return "unbounded"
-    largest = max((abs(each) for each in (value, *size) if math.isfinite(each)), default=0.0)
+    largest = max((abs(term) for term in (value, *size) if math.isfinite(term)), default=0.0)
     if math.isfinite(value) and LEAST < largest < SMALL:
         return f"{value:.4g}"
     return number(value, digits)
 
 
 def rounded_up(error: float) -> str:
-    """An error with one digit, never less than it is; "rounding" where elements leave none.
+    """Format an error with one digit, rounded up; "rounding" where it is zero.
 
     >>> rounded_up(1.4e-4), rounded_up(0.0)
     ('2e-04', 'rounding')
@@ -105,7 +105,7 @@ def is_rotation(dof: str) -> bool:
 
 
 def stiffness_unit(dof: str, other: str) -> str:
-    """SI unit of the stiffness entry that gives the load on ``dof`` from a move of ``other``.
+    """SI unit of the stiffness entry that gives the load on ``dof`` by a displacement ``other``.
 
     >>> stiffness_unit("y", "thz")
     'N/rad'

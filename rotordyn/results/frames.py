@@ -1,8 +1,8 @@
-"""Results seen from another frame than the fixed one."""
+"""Results in a frame other than the fixed one."""
 
 from __future__ import annotations
 
 
 def turning(result: object) -> bool:
-    """True where frequencies are those seen from the frame that turns with the shaft."""
+    """Whether frequencies are those in the frame that rotates with the shaft."""
     return bool(getattr(result, "turning_frame", False))

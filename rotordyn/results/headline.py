@@ -1,6 +1,6 @@
-"""What of a result is put beside other variants: single numbers, and curves laid over one another.
+"""Headline numbers and curves of a result, by which variants are compared.
 
-Both are plain data: summary, table and figures of variants read them of any analysis.
+Both are plain data: summary, table and figures of variants read those of any analysis.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ from rotordyn.results.kinds import Array, Flags
 from rotordyn.results.text import outside
 
 LEAST_POINTS = 4  # for a line; fewer are marks
-FAR = 4.0  # times a ceiling: as far as a line is drawn beyond an axis
-NONE = "none"  # said of a number that there is not, where nothing else is known of it
+FAR = 4.0  # times a ceiling: limit up to which a line is drawn beyond an axis
+NONE = "none"  # printed for a missing number, unless it names a reason
 CHANGE = 6  # decimals of a change [%]: less is rounding
 Known = tuple[str, str]  # quantity and subject of a reference
 Place = tuple[float, str]
@@ -28,10 +28,10 @@ Place = tuple[float, str]
 class Number(NamedTuple):
     """A headline number as printed.
 
-    ``speed`` [rpm] where it is one of several over speed; ``part``: which of those of one
-    ``name``, such as a direction of whirl, that summaries write side by side;
-    ``absent``: said where there is none (NaN); ``inner``: at a speed between the first and the
-    last, which goals and limits read and tables leave out.
+    ``speed`` [rpm] where it is one of several over speed; ``part``: distinguishes numbers of
+    one ``name``, such as a direction of whirl, that summaries write side by side;
+    ``absent``: printed where there is none (NaN); ``inner``: at a speed between the first and the
+    last, which goals and limits read and tables omit.
     """
 
     name: str
@@ -45,24 +45,24 @@ class Number(NamedTuple):
 
     @property
     def words(self) -> str:
-        """What tells it from all others of its analysis."""
+        """Name, part and speed, which are unique within an analysis."""
         at = f"at {self.speed:.0f} rpm" if self.speed is not None else ""
         return " ".join(word for word in (self.name, self.part, at) if word)
 
     @property
     def heading(self) -> str:
-        """Of its column where every number has one."""
+        """Heading of the column of the number, with its unit."""
         return f"{self.words} [{self.unit}]" if self.unit else self.words
 
 
 class Curve(NamedTuple):
-    """A curve as printed, in a ``panel`` of the ``figure`` in which variants are laid over another.
+    """A curve as printed, in a ``panel`` of the ``figure`` that overlays variants.
 
-    ``label`` and ``unit`` of the ordinate are those of the panel's first curve. ``series``: what
-    tells curves of one variant apart, by dashes; ``key``: what makes curves of two variants the
-    same, by default the series. ``breaks``: steps between points over which no line is drawn.
+    ``label`` and ``unit`` of the ordinate are those of the panel's first curve. ``series``: name
+    that distinguishes curves of one variant, by dashes; ``key``: name that curves of two variants
+    have in common, by default the series. ``breaks``: steps between points without a line.
     ``known``: references shown beside it; ``limits`` of the ordinate, None where it has none;
-    ``places`` along the abscissa, named above the panel. ``backdrop``: alike in all variants.
+    ``places`` along the abscissa, named above the panel. ``backdrop``: equal in all variants.
     ``end``: its name at the right edge, of several that share a series. ``least``: points that a
     line needs; fewer are marks. ``ceiling``: larger values lie beyond the axis, which does not
     grow for them.
@@ -90,22 +90,22 @@ class Curve(NamedTuple):
 
     @property
     def dotted(self) -> bool:
-        """Its points are too few for a line."""
+        """Whether its points are too few for a line."""
         return 1 < len(self.x) < self.least
 
     @property
     def by_ratio(self) -> bool:
-        """What is above zero and changes by factors: amplitudes, and depths that have no end."""
+        """Whether values are positive and compared by ratio: amplitudes, unbounded depths."""
         return self.log or bool(np.isfinite(self.ceiling))
 
     @property
     def within(self) -> Curve:
-        """This curve without what lies beyond the axis."""
+        """Copy without the values beyond the axis."""
         return self._replace(y=under(np.asarray(self.y, float), self.ceiling))
 
     @property
     def drawn(self) -> tuple[Array, Array]:
-        """x and y with a gap at every step over which it jumps, and where it has no logarithm."""
+        """x and y with a gap at every jump, and where y has no logarithm."""
         x, y = np.asarray(self.x, float), np.asarray(self.y, float)
         if self.log:
             y = np.where(y > 0.0, y, np.nan)
@@ -124,10 +124,10 @@ def broken(x: Array, y: Array, breaks: Flags) -> tuple[Array, Array]:
 
 
 def belongs(reference: Reference, known: Collection[Known]) -> bool:
-    """Whether it is shown with curves of these (quantity, subject): those of its subject, or all of
-    its quantity where it has none."""
-    about = {subject for quantity, subject in known if quantity == reference.quantity}
-    return bool(about) and (reference.subject in about or not reference.subject)
+    """Whether a reference is shown with curves of these (quantity, subject): with those of its
+    subject, or with all of its quantity where it has none."""
+    subjects = {subject for quantity, subject in known if quantity == reference.quantity}
+    return bool(subjects) and (reference.subject in subjects or not reference.subject)
 
 
 def each_speed(
@@ -147,66 +147,66 @@ def curves_of(
     ``panels`` and ``series``: dimensions whose entries have a panel, or dashes, each; of ``series``
     several, separated by blanks. ``how``: further fields of ``Curve``.
     """
-    fields = {name: each.metadata for name, each in declared(result).items()}
+    fields = {name: item.metadata for name, item in declared(result).items()}
     entries = {m["dims"][0]: name for name, m in fields.items() if m["role"] == "coordinate"}
-    info, below = fields[field], fields[along]
-    x = getattr(result, along) * below["printed"].factor
+    info, abscissa = fields[field], fields[along]
+    x = getattr(result, along) * abscissa["printed"].factor
     values = np.moveaxis(getattr(result, field), info["dims"].index(along), -1)
-    others = [dim for dim in info["dims"] if dim != along]
+    remaining = [dim for dim in info["dims"] if dim != along]
     for index in product(*(range(n) for n in values.shape[:-1])):
-        at = zip(others, index, strict=True)
+        at = zip(remaining, index, strict=True)
         names = {dim: str(getattr(result, entries[dim])[k]) for dim, k in at}
-        words = ", ".join(names[dim] for dim in series.split())
+        series_name = ", ".join(names[dim] for dim in series.split())
         look = {
             "label": info["label"],
             "unit": info["printed"].unit,
             "panel": names.get(panels, ""),
-            "series": words,
-            "key": words,
-            "along": f"{below['label']} [{below['printed'].unit}]",
+            "series": series_name,
+            "key": series_name,
+            "along": f"{abscissa['label']} [{abscissa['printed'].unit}]",
         }
         yield Curve(x=x, y=values[index] * info["printed"].factor, **{**look, **how})
 
 
 def cells(numbers: Iterable[Number]) -> dict[str, str]:
-    """By name and unit the numbers in a few words: parts joined by "/", the first and the last
-    speed by "→", with what lies beyond both of them."""
+    """Numbers as text, by name and unit: parts joined by "/", the first and the last speed by "→",
+    with extremes beyond both of them."""
     grouped: dict[str, dict[float | None, list[Number]]] = {}
-    for each in numbers:
-        head = f"{each.name} [{each.unit}]" if each.unit else each.name
-        grouped.setdefault(head, {}).setdefault(each.speed, []).append(each)
+    for entry in numbers:
+        head = f"{entry.name} [{entry.unit}]" if entry.unit else entry.name
+        grouped.setdefault(head, {}).setdefault(entry.speed, []).append(entry)
     return {head: _over_speed([*by_speed.values()]) for head, by_speed in grouped.items()}
 
 
 def _over_speed(groups: Sequence[Sequence[Number]]) -> str:
-    """Numbers of every speed, those of one side by side."""
-    words = " → ".join(_side_by_side(group) for group in groups if not group[0].inner)
-    one = groups[0][0]
-    by_end = [
-        [pick([each.value for each in group]) for group in groups]
+    """Numbers at the first and the last speed as text, and extremes beyond them."""
+    text = " → ".join(_side_by_side(group) for group in groups if not group[0].inner)
+    first = groups[0][0]
+    extremes = [
+        [pick([entry.value for entry in group]) for group in groups]
         for pick in (np.fmin.reduce, np.fmax.reduce)
     ]
     more = [
-        f"{word} {number(value, one.digits)}"
-        for word, values in zip(("least", "most"), by_end, strict=True)
+        f"{word} {number(value, first.digits)}"
+        for word, values in zip(("least", "most"), extremes, strict=True)
         for kind, _, value in outside(np.array(values))
         if kind == word
     ]
-    return f"{words} ({', '.join(more)})" if more else words
+    return f"{text} ({', '.join(more)})" if more else text
 
 
 def _side_by_side(parts: Sequence[Number]) -> str:
-    """Parts of a number, once where they are alike."""
-    words = [_word(each) for each in parts]
-    values = np.array([each.value for each in parts])
-    alike = np.allclose(values, values[0], rtol=1e-6, atol=0.0, equal_nan=True)
-    return words[0] if alike else "/".join(words)
+    """Parts of a number as text, once where they are equal."""
+    texts = [_printed(part) for part in parts]
+    values = np.array([part.value for part in parts])
+    equal = np.allclose(values, values[0], rtol=1e-6, atol=0.0, equal_nan=True)
+    return texts[0] if equal else "/".join(texts)
 
 
-def _word(each: Number) -> str:
-    if np.isnan(each.value):
-        return each.absent
-    return "unbounded" if np.isinf(each.value) else number(each.value, each.digits)
+def _printed(entry: Number) -> str:
+    if np.isnan(entry.value):
+        return entry.absent
+    return "unbounded" if np.isinf(entry.value) else number(entry.value, entry.digits)
 
 
 def changes(numbers: Mapping[str, float], first: Mapping[str, float]) -> dict[str, float]:

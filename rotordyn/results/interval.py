@@ -1,4 +1,4 @@
-"""How sure the answers to a case are: the range of every headline number and curve."""
+"""Uncertainty of the results of a case: the range of every headline number and curve."""
 
 from __future__ import annotations
 
@@ -16,22 +16,22 @@ NARROW = 1e-6  # relative width: nothing changes the number
 ORDERED = 5  # decimals of the logarithm of a width by which numbers are put in order
 ALIKE = 0.05  # of the largest change of two numbers
 OVER_HYPOTHESES, OVER_TOLERANCES = "over hypotheses", "over tolerances, 95 %"
-COMMON = ("spindle", "conditions", "*", "model")  # steps of a path that tell little
+COMMON = ("spindle", "conditions", "*", "model")  # steps of a path that short names omit
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Interval:
-    """Ranges over hypotheses and over tolerances, and what rules them.
+    """Ranges over hypotheses and over tolerances, and the sources that rule them.
 
     Numbers are in the units in which they are printed, ``unit``; NaN where there is none. Ranges
     over hypotheses hold every combination; those over tolerances 95 of 100 machines whose numbers
-    lie anywhere within their tolerances, ``worst`` all of them. ``effect``: change of a number when
-    one source goes to its end. ``interaction``: what two machines of which all tolerances are off
-    differ from the sum of effects, over the range, NaN where ranges are those of samples. Curves
-    stand one after the other (``point``).
+    lie anywhere within their tolerances, ``worst`` all of them. ``effect``: change of a number with
+    one source at its end. ``interaction``: difference of two machines with all tolerances at their
+    ends from the sum of effects, over the range, NaN where ranges are those of samples. Curves
+    are concatenated (``point``).
 
-    ``without``: how many combinations have no such number, a stop that is not met, a bearing that
-    is unloaded, of which ``absent`` is said; ``without_within``: how many of the machines solved
+    ``without``: number of combinations without such a number (a stop not reached, an unloaded
+    bearing), for which ``absent`` is printed; ``without_within``: likewise of the machines solved
     within tolerances, one more where a load would vanish within the range.
     """
 
@@ -72,42 +72,42 @@ class Interval:
         """Largest relative width of either range of every number (numbers,)."""
         size = np.abs(np.where(np.isnan(self.nominal), self.hypotheses[:, 1], self.nominal))
         size = np.where(size == 0.0, 1.0, size)
-        with np.errstate(invalid="ignore"):  # both ends of what has no limit are infinite
-            widths = [np.ptp(each, axis=1) for each in (self.hypotheses, self.tolerances)]
+        with np.errstate(invalid="ignore"):  # both ends of an unbounded range are infinite
+            widths = [np.ptp(ends, axis=1) for ends in (self.hypotheses, self.tolerances)]
         return np.nan_to_num(np.nanmax(np.stack([np.nan_to_num(w) for w in widths]), axis=0) / size)
 
     def varying(self) -> list[int]:
-        """Numbers by how much they vary, the widest first; those that nothing changes left out.
+        """Indices of the numbers, those of the widest range first; constant ones are omitted.
 
-        Twins, such as both whirls of a mode at rest, stay in the order in which they are listed.
+        Equal ranges, as of both whirls of a mode at rest, stay in the order of the list.
         """
         spread = self.spread()
-        coarse = np.log(np.maximum(spread, NARROW)).round(ORDERED)  # rounding must not order twins
+        coarse = np.log(np.maximum(spread, NARROW)).round(ORDERED)  # rounding must not order equals
         return [int(k) for k in np.argsort(-coarse, kind="stable") if spread[k] > NARROW]
 
     def apart(self, order: Sequence[int]) -> list[int]:
-        """Of numbers that change by the same, such as both whirls of a mode, the first alone."""
+        """The first of every group of numbers with equal changes, such as both whirls of a mode."""
         kept: list[int] = []
         for k in order:
-            if not any(self._alike(k, other) for other in kept):
+            if not any(self._same_changes(k, other) for other in kept):
                 kept.append(k)
         return kept
 
-    def _alike(self, one: int, other: int) -> bool:
+    def _same_changes(self, one: int, other: int) -> bool:
         first, second = (
             np.nan_to_num(np.append(self.effect[k], self.hypotheses[k] - self.nominal[k]))
             for k in (one, other)
         )
         size = float(np.abs(first).max(initial=0.0))
-        apart = float(np.abs(first - second).max(initial=0.0))
-        return self.unit[one] == self.unit[other] and apart < ALIKE * size
+        difference = float(np.abs(first - second).max(initial=0.0))
+        return self.unit[one] == self.unit[other] and difference < ALIKE * size
 
     def rows_of(self, curve: int) -> Whole:
-        """Points of a curve."""
+        """Indices of the points of a curve."""
         return np.flatnonzero(self.curve_of == curve)
 
     def ruling(self, number: int) -> list[tuple[str, float]]:
-        """Sources by the share of the range over tolerances that is theirs, largest first."""
+        """Sources with their shares of the range over tolerances, largest first."""
         widths = np.fmax.reduce(np.abs(self.effect[number]), axis=1, initial=0.0) ** 2
         total = widths.sum()
         order = np.argsort(-widths, kind="stable")
@@ -115,5 +115,5 @@ class Interval:
 
 
 def short_path(path: str) -> str:
-    """A dotted path without the steps that tell little."""
+    """A dotted path without the steps in ``COMMON``."""
     return ".".join(step for step in path.split(".") if step not in COMMON)

@@ -1,4 +1,4 @@
-"""What fields of results hold."""
+"""Types of the fields of results."""
 
 from __future__ import annotations
 

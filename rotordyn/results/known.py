@@ -1,4 +1,4 @@
-"""What was computed, at the speeds of what was published or measured."""
+"""Computed values at the speeds of published or measured ones."""
 
 from __future__ import annotations
 
@@ -15,21 +15,21 @@ SAME_SPEED = 5e-3  # of the highest speed: nothing is interpolated between speed
 
 @dataclass(frozen=True, slots=True)
 class Match:
-    """A reference, cut down to what can be compared, and our ``values`` (SI) for it."""
+    """A reference, reduced to the speeds that can be compared, and computed ``values`` (SI)."""
 
     reference: Reference
     values: tuple[float, ...]
 
 
 def at_speeds(speeds: Array, known: Array, values: Array) -> Array:
-    """Values at the computed speeds that are as good as those asked for, NaN for the others."""
+    """Values at the computed (``known``) speeds next to ``speeds``, NaN where none is close."""
     nearest = np.abs(known - speeds[:, None]).argmin(axis=1)
     close = np.abs(known[nearest] - speeds) <= SAME_SPEED * known[-1]
     return np.where(close, values[nearest], np.nan)
 
 
 def column(speeds: Array, result: Any, name: str, dim: str, word: str) -> Array | None:
-    """A column of a result, that of ``word`` in ``dim``, at some speeds; None without it."""
+    """Values of a field for the entry ``word`` of ``dim``, at some speeds; None without it."""
     words = getattr(result, dim)
     if word not in words:
         return None

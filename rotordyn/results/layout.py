@@ -1,4 +1,4 @@
-"""How a result is laid out in tables."""
+"""Layout of a result in tables."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Layout:
 
 
 class Table(NamedTuple):
-    """A table that no layout gives: name of the file, and label, printed unit and values of each
+    """A table without a ``Layout``: name of the file, and label, printed unit and values of each
     column."""
 
     name: str

@@ -1,4 +1,4 @@
-"""Lines of plain text: their width, their numbers, what stands at the head."""
+"""Lines of plain text: their width, their numbers, the lines at the head."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from rotordyn.results.display import RPM, number
 WIDTH = 100
 INDENT = " " * 11  # of what follows the first word of a line
 WARNING = "WARNING: "
-BEYOND = 0.02  # of the largest value: less beyond both ends is not said
+BEYOND = 0.02  # of the largest value: extremes less than that beyond both ends are not printed
 _NO_BREAK = "\u00a0"
 _NUMBER = re.compile(r"(?<![\w.])[+-]?\d[\d.]*\b")
 
@@ -40,10 +40,10 @@ def grouped(sentences: Sequence[str]) -> list[str]:
     for sentence in sentences:
         groups.setdefault(_NUMBER.sub("", sentence), []).append(sentence)
     lines = []
-    for first, *others in groups.values():
-        last = re.search(r"at \S+ rpm", others[-1]) if others else None
+    for first, *rest in groups.values():
+        last = re.search(r"at \S+ rpm", rest[-1]) if rest else None
         end = f", the last {last[0]}" if last else ""
-        lines.append(f"{first} ({len(others)} more{end})" if others else first)
+        lines.append(f"{first} ({len(rest)} more{end})" if rest else first)
     return lines
 
 
@@ -53,11 +53,11 @@ def unbroken(entry: str) -> str:
 
 
 def wrapped(line: str) -> list[str]:
-    """Lines of at most ``WIDTH`` columns, the later ones set in."""
+    """Lines of at most ``WIDTH`` columns, continuation lines indented."""
     room = WIDTH - len(INDENT)
     entries = [e.replace(_NO_BREAK, " ") if len(e) > room else e for e in line.split(" ")]
-    whole = " ".join(entries)
-    lines = textwrap.wrap(whole, WIDTH, subsequent_indent=INDENT, break_on_hyphens=False)
+    text = " ".join(entries)
+    lines = textwrap.wrap(text, WIDTH, subsequent_indent=INDENT, break_on_hyphens=False)
     return [part.replace(_NO_BREAK, " ") for part in lines]
 
 
@@ -68,7 +68,7 @@ def aligned(rows: Sequence[Sequence[str]]) -> list[str]:
 
 
 def over_speed(values: NDArray[np.float64], speed: NDArray[np.float64], digits: int = 1) -> str:
-    """The first and the last value over ``speed`` [rad/s], and what lies beyond both.
+    """The first and the last value over ``speed`` [rad/s], and extremes beyond both.
 
     >>> over_speed(np.array([94.1, 7.71, 13.7]), np.array([0.0, 628.3, 942.5]))
     '94.1 → 13.7 (least 7.71 at 6000 rpm)'
@@ -77,27 +77,27 @@ def over_speed(values: NDArray[np.float64], speed: NDArray[np.float64], digits: 
         f"{word} {number(value, digits)} at {number(speed[k] * RPM.factor, 0)} rpm"
         for word, k, value in outside(values)
     ]
-    words = from_to(values, digits)
-    return f"{words} ({', '.join(more)})" if more else words
+    ends = from_to(values, digits)
+    return f"{ends} ({', '.join(more)})" if more else ends
 
 
 def outside(values: NDArray[np.float64]) -> list[tuple[str, int, float]]:
-    """The least and the most of values, with their places, where they lie beyond the first and the
+    """The least and the largest value, with their indices, where they lie beyond the first and the
     last one."""
-    known = np.where(np.isfinite(values), values, np.nan)
-    if np.isnan(known).all():
+    finite = np.where(np.isfinite(values), values, np.nan)
+    if np.isnan(finite).all():
         return []
-    found = ("least", int(np.nanargmin(known)), -1.0), ("most", int(np.nanargmax(known)), 1.0)
-    room = BEYOND * float(np.nanmax(np.abs(known)))
+    extremes = ("least", int(np.nanargmin(finite)), -1.0), ("most", int(np.nanargmax(finite)), 1.0)
+    margin = BEYOND * float(np.nanmax(np.abs(finite)))
     return [
         (word, k, float(values[k]))
-        for word, k, side in found
-        if not (side * values[k] <= side * values[[0, -1]] + room).any()
+        for word, k, side in extremes
+        if not (side * values[k] <= side * values[[0, -1]] + margin).any()
     ]
 
 
 def which_of(speed: NDArray[np.float64], holds: NDArray[np.bool_]) -> str:
-    """At which of the speeds [rad/s] something ``holds`` (speeds, ...), at one of them at least.
+    """Speeds [rad/s], as text, at which a condition ``holds`` (speeds, ...), at least at one.
 
     >>> which_of(np.array([0.0, 100.0, 200.0]), np.array([False, True, False]))
     'at 955 rpm'

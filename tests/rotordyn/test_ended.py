@@ -15,7 +15,7 @@ import pytest
 
 import rotordyn
 from rotordyn import allowance
-from rotordyn.analyses.solving import _answered
+from rotordyn.analyses.solving import _solved_in_turn
 from rotordyn.case.case import Case
 from rotordyn.cli import main
 from rotordyn.errors import NoSolution, TooCostly
@@ -301,10 +301,10 @@ def test_what_is_finished_when_a_library_turns_a_stop_into_an_error_is_kept(
     asked: Any = {"first": 1, "second": 2}
     monkeypatch.setattr(allowance.ASKED, "is_set", lambda: False)
     with allowance.within(), pytest.raises(TypeError):
-        _answered(asked, solve, lambda _: None)
+        _solved_in_turn(asked, solve, lambda _: None)
     monkeypatch.setattr(allowance.ASKED, "is_set", lambda: True)
     with allowance.within():
-        results, stop = _answered(asked, solve, lambda _: None)
+        results, stop = _solved_in_turn(asked, solve, lambda _: None)
     assert list(results) == ["first"]
     assert isinstance(stop, KeyboardInterrupt)
 

@@ -1,4 +1,4 @@
-"""The tool of the case on a measured spindle, as one more response beside the computed ones."""
+"""Tip response of the case's tool on a measured spindle, laid over the computed ones."""
 
 from __future__ import annotations
 
@@ -22,34 +22,34 @@ ROUNDS, TRIED = 2, 41  # frequencies tried around each peak, and once more aroun
 
 
 def with_coupled(spec: FrfSpec, spindle: Spindle) -> tuple[FrfSpec, dict[str, float]]:
-    """The spec with the coupled tip among what was measured, and the errors of these by noise, over
-    their size, by name; the spec itself where no spindle was measured."""
+    """Add the coupled tip to the measured responses of a spec; the spec itself without a measured
+    spindle. Returns the relative errors of the added responses by noise, by name, as well."""
     if spec.measured_spindle is None:
         return spec, {}
     machine = OnMeasured(spec.measured_spindle, spindle)
     added, errors = [], {}
     for port, _ in spec.at_the_tip(spindle):
-        # a spindle measured in one plane answers alike in the other
-        way = port.direction if port.direction in machine.fits else machine.measured.planes[0]
+        # a spindle measured in one plane is taken to be the same in the other
+        plane = port.direction if port.direction in machine.fits else machine.measured.planes[0]
         name = NAME if port.direction == PLANES[0] else f"{NAME} {port.direction}"
-        added.append(_coupled(machine, port, way, spec, name))
+        added.append(_coupled(machine, port, plane, spec, name))
         omega = 2.0 * math.pi * np.array(added[-1].frequency)
-        error, size = machine.error(way, omega), np.abs(machine.tip(way, omega))
+        error, size = machine.error(plane, omega), np.abs(machine.tip(plane, omega))
         errors[name] = float(np.linalg.norm(error) / np.linalg.norm(size))
     return replace(spec, measured=(*spec.measured, *added)), errors
 
 
 def _coupled(
-    machine: OnMeasured, port: Port, way: str, spec: FrfSpec, name: str
+    machine: OnMeasured, port: Port, plane: str, spec: FrfSpec, name: str
 ) -> MeasuredResponse:
-    """At the frequencies of the measurement, of the case between them, and of its peaks."""
+    """Response of the tip at the measured frequencies, those of the case in between, and peaks."""
     measured = np.array(machine.measured.responses[0].frequency)
-    asked = np.array(spec.frequencies)
-    inside = asked[(asked > measured[0]) & (asked < measured[-1])]
+    of_case = np.array(spec.frequencies)
+    inside = of_case[(of_case > measured[0]) & (of_case < measured[-1])]
     hertz = np.unique(np.concatenate([measured, inside]))
 
     def tip(at: Array) -> Complex:
-        return machine.tip(way, 2.0 * math.pi * at)
+        return machine.tip(plane, 2.0 * math.pi * at)
 
     hertz = np.union1d(hertz, _peaks(tip, hertz))
     values = tip(hertz)
@@ -65,9 +65,9 @@ def _coupled(
 
 
 def _peaks(response: Callable[[Array], Complex], hertz: Array) -> Array:
-    """Frequencies of the local maxima of a response, found between those on a grid.
+    """Frequencies of the local maxima of a response, refined between those of a grid.
 
-    It is always asked for at all of the grid, over which the noise of a measurement is judged.
+    Every evaluation includes the whole grid, over which the noise of the measurement is estimated.
     """
     size = np.abs(response(hertz))
     top = np.flatnonzero((size[1:-1] > size[:-2]) & (size[1:-1] > size[2:])) + 1
@@ -75,9 +75,9 @@ def _peaks(response: Callable[[Array], Complex], hertz: Array) -> Array:
     best = hertz[top]
     for _ in range(ROUNDS if top.size else 0):
         tried = np.linspace(low, high, TRIED)
-        both = np.union1d(hertz, tried)
-        found = np.abs(response(both))[np.searchsorted(both, tried)]
-        best = np.take_along_axis(tried, found.argmax(axis=0)[None], axis=0)[0]
+        with_grid = np.union1d(hertz, tried)
+        amplitude = np.abs(response(with_grid))[np.searchsorted(with_grid, tried)]
+        best = np.take_along_axis(tried, amplitude.argmax(axis=0)[None], axis=0)[0]
         step = (high - low) / (TRIED - 1)
         low, high = np.maximum(best - step, hertz[0]), np.minimum(best + step, hertz[-1])
     return best

@@ -1,4 +1,4 @@
-"""Measured frequency responses beside computed ones: peaks of both, and how alike they are."""
+"""Measured frequency responses beside computed ones: peaks of both, and their FRAC."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from rotordyn.numerics.line_peak import line_peak
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 PEAKS = 3
-LEAST_POINTS = 8  # in the band: of fewer, any two smooth curves look alike
-PROMINENT = math.sqrt(2.0)  # how far an amplitude falls on both sides of a peak: 3 dB
+LEAST_POINTS = 8  # in the band: with fewer, any two smooth curves correlate
+PROMINENT = math.sqrt(2.0)  # ratio by which an amplitude falls on both sides of a peak: 3 dB
 
 
 def measured_fields(
@@ -29,46 +29,47 @@ def measured_fields(
     peaks: tuple[Array, Complex],
     errors: Mapping[str, float] = {},
 ) -> dict[str, Any]:
-    """The fields of a result about ``spec.measured``.
+    """Fields of a result for the measured responses ``spec.measured``.
 
-    ``computed``: responses (pairs, n) at one of the speeds and at frequencies (n,) [Hz]; of
-    ``peaks``, frequency and value (speeds, pairs, resonances). The computed response is that at the
-    nearest speed of the case. ``errors``: relative ones by the name of the response.
+    ``computed``: responses (pairs, n) at the index of a speed and frequencies (n,) [Hz];
+    ``peaks``: frequency and value (speeds, pairs, resonances). The computed response is that at
+    the nearest speed of the case. ``errors``: relative errors by the name of the response.
     """
     count, longest = len(spec.measured), max((len(m.frequency) for m in spec.measured), default=0)
     axis = np.full((count, longest), np.nan)
     response = np.full((count, longest), complex(np.nan, np.nan))
-    beside = np.full((5, count, PEAKS), np.nan)
+    peak_rows = np.full((5, count, PEAKS), np.nan)
     frac = np.full(count, np.nan)
-    for row, one in enumerate(spec.measured):
-        at_frequency, measured = np.array(one.frequency), as_quantity(one, spec.quantity)
+    for row, entry in enumerate(spec.measured):
+        at_frequency, measured = np.array(entry.frequency), as_quantity(entry, spec.quantity)
         axis[row, : len(at_frequency)], response[row, : len(at_frequency)] = at_frequency, measured
-        near = int(np.abs(speed - one.speed).argmin())
-        pair = pairs.index(one.pair)
+        speed_index = int(np.abs(speed - entry.speed).argmin())
+        pair = pairs.index(entry.pair)
         inside = (at_frequency >= frequency[0]) & (at_frequency <= frequency[-1])
-        there = computed(near, at_frequency[inside])[pair]
-        if np.isfinite(there).all() and inside.sum() >= LEAST_POINTS:
-            frac[row] = assurance(measured[inside], there)
-            at, high = (each[near, pair] for each in peaks)
-            known = np.isfinite(at)
-            valleys = np.sqrt(at[known][1:] * at[known][:-1])  # between peaks nearer than the grid
-            grid = np.unique(np.concatenate([frequency, at[known], valleys]))
-            curve = np.abs(computed(near, grid)[pair])
-            curve[np.searchsorted(grid, at[known])] = np.abs(high[known])
-            beside[:, row] = _beside(at_frequency[inside], measured[inside], grid, curve)
+        computed_values = computed(speed_index, at_frequency[inside])[pair]
+        if np.isfinite(computed_values).all() and inside.sum() >= LEAST_POINTS:
+            frac[row] = assurance(measured[inside], computed_values)
+            peak_at, peak_value = (array[speed_index, pair] for array in peaks)
+            is_peak = np.isfinite(peak_at)
+            # between peaks closer than the grid, which would otherwise be one
+            valleys = np.sqrt(peak_at[is_peak][1:] * peak_at[is_peak][:-1])
+            grid = np.unique(np.concatenate([frequency, peak_at[is_peak], valleys]))
+            curve = np.abs(computed(speed_index, grid)[pair])
+            curve[np.searchsorted(grid, peak_at[is_peak])] = np.abs(peak_value[is_peak])
+            peak_rows[:, row] = _paired_peaks(at_frequency[inside], measured[inside], grid, curve)
     of_measured = ("measured_peak", "measured_peak_amplitude", "measured_peak_error")
     names = (*of_measured, "computed_peak", "computed_peak_amplitude")
     return {
-        "measured": tuple(one.name for one in spec.measured),
+        "measured": tuple(entry.name for entry in spec.measured),
         "peak": np.arange(1, PEAKS + 1),
         "sample": np.arange(longest),
-        "measured_pair": tuple(one.pair for one in spec.measured),
-        "measured_speed": np.array([one.speed for one in spec.measured]),
+        "measured_pair": tuple(entry.pair for entry in spec.measured),
+        "measured_speed": np.array([entry.speed for entry in spec.measured]),
         "measured_frequency": axis,
         "measured_response": response,
         "frac": frac,
-        "measured_error": np.array([errors.get(one.name, np.nan) for one in spec.measured]),
-        **dict(zip(names, beside, strict=True)),
+        "measured_error": np.array([errors.get(entry.name, np.nan) for entry in spec.measured]),
+        **dict(zip(names, peak_rows, strict=True)),
     }
 
 
@@ -77,39 +78,40 @@ def assurance(one: Complex, other: Complex) -> float:
     largest = np.abs(one).max(initial=0.0), np.abs(other).max(initial=0.0)
     if not min(largest) > 0.0:
         return 0.0
-    one, other = one / largest[0], other / largest[1]  # squares of 1e200 are no numbers
+    one, other = one / largest[0], other / largest[1]  # squares of 1e200 overflow
     size = float((np.abs(one) ** 2).sum() * (np.abs(other) ** 2).sum())
     return float(np.abs(np.vdot(one, other)) ** 2) / size
 
 
 def peaks_of(amplitude: Array) -> NDArray[np.intp]:
-    """Places of local maxima that stand 3 dB above the way to anything higher, by height."""
+    """Indices of local maxima from which the amplitude falls by 3 dB on both sides before it rises
+    above them, highest first."""
     inner = amplitude[1:-1]
     tops = 1 + np.flatnonzero((inner > amplitude[:-2]) & (inner >= amplitude[2:]))
-    kept = [top for top in tops if _stands_out(amplitude, int(top))]
-    return np.array(sorted(kept, key=lambda top: -amplitude[top]), dtype=np.intp)
+    prominent = [top for top in tops if _is_prominent(amplitude, int(top))]
+    return np.array(sorted(prominent, key=lambda top: -amplitude[top]), dtype=np.intp)
 
 
-def _stands_out(amplitude: Array, top: int) -> bool:
+def _is_prominent(amplitude: Array, top: int) -> bool:
     for side in (amplitude[top::-1], amplitude[top:]):
         higher = np.flatnonzero(side > amplitude[top])
-        until = side[: higher[0]] if higher.size else side
-        if until.min() * PROMINENT > amplitude[top]:
+        flank = side[: higher[0]] if higher.size else side
+        if flank.min() * PROMINENT > amplitude[top]:
             return False
     return True
 
 
-def _beside(at: Array, measured: Complex, frequency: Array, computed: Array) -> Array:
-    """The highest measured peaks, ascending, each with the computed peak nearest to it (5, peaks).
+def _paired_peaks(at: Array, measured: Complex, frequency: Array, computed: Array) -> Array:
+    """Pair the highest measured peaks, ascending, with the nearest computed peaks (5, peaks).
 
     Rows: measured frequency, amplitude and its error, computed frequency and amplitude.
     """
     rows = np.full((5, PEAKS), np.nan)
-    tops, others = np.sort(peaks_of(np.abs(measured))[:PEAKS]), peaks_of(computed)
+    tops, candidates = np.sort(peaks_of(np.abs(measured))[:PEAKS]), peaks_of(computed)
     for column, top in enumerate(tops.tolist()):
         peak = line_peak(at, measured, top)
         rows[:3, column] = peak
-        if others.size:
-            near = others[np.abs(np.log(frequency[others] / peak.frequency)).argmin()]
-            rows[3:, column] = frequency[near], computed[near]
+        if candidates.size:
+            nearest = candidates[np.abs(np.log(frequency[candidates] / peak.frequency)).argmin()]
+            rows[3:, column] = frequency[nearest], computed[nearest]
     return rows

@@ -28,10 +28,10 @@ def lines_of(scene: Scene, spec: FrfSpec) -> list[Line]:
 def line_fields(
     scene: Scene, spec: FrfSpec, responses: Responses, at_few: Responses
 ) -> dict[str, Any]:
-    """The fields of a result about ``spec.engine_orders``.
+    """Fields of a result for the engine orders ``spec.engine_orders``.
 
-    ``responses`` of a scene at frequencies (usable, n) [Hz] of every speed's own: (usable, pairs,
-    n); ``at_few``: the same where a speed has too few of them for modes to be worth their price.
+    ``responses``: those (usable, pairs, n) of a scene at frequencies (usable, n) [Hz], a row per
+    usable speed; ``at_few``: likewise, for so few frequencies per speed that modes do not pay.
     """
     lines, pairs = lines_of(scene, spec), len(spec.pairs)
     hertz = [line.size * scene.speed / (2.0 * math.pi) for line in lines]
@@ -39,21 +39,24 @@ def line_fields(
     value = np.zeros((len(scene.usable), pairs, len(lines)), dtype=complex)
     curves: list[tuple[Array, Complex]] = []
     if lines:
-        every = zip(lines, frequency[scene.usable].T, strict=True)
-        each = [responses(scene.whirling(one.size), at[:, None]) for one, at in every]
-        value = np.concatenate(each, axis=2)
-        curves = [_curve(scene, line, at_few, *spin) for line, *spin in _expected(scene, lines)]
+        line_frequency = zip(lines, frequency[scene.usable].T, strict=True)
+        by_line = [responses(scene.whirling(one.size), at[:, None]) for one, at in line_frequency]
+        value = np.concatenate(by_line, axis=2)
+        curves = [_curve(scene, line, at_few, *peaks) for line, *peaks in _expected(scene, lines)]
     longest = max((len(speed) for speed, _ in curves), default=0)
-    highest = [[tops(np.abs(each)) for each in curve.T] for _, curve in curves]
-    most = max((len(top) for each in highest for top in each), default=0)
+    peak_steps = [[tops(np.abs(values)) for values in curve.T] for _, curve in curves]
+    most_peaks = max((len(top) for by_pair in peak_steps for top in by_pair), default=0)
     speed = np.full((len(lines), longest), np.nan)
     curve = np.full((len(lines), longest, pairs), complex(np.nan, np.nan))
-    at = np.full((len(lines), pairs, most), np.nan)
-    peak = np.full((len(lines), pairs, most), complex(np.nan, np.nan))
-    for row, (spin, response) in enumerate(curves):
-        speed[row, : len(spin)], curve[row, : len(spin)] = spin, response
-        for pair, top in enumerate(highest[row]):
-            at[row, pair, : len(top)], peak[row, pair, : len(top)] = spin[top], response[top, pair]
+    peak_at = np.full((len(lines), pairs, most_peaks), np.nan)
+    peak = np.full((len(lines), pairs, most_peaks), complex(np.nan, np.nan))
+    for row, (along, response) in enumerate(curves):
+        speed[row, : len(along)], curve[row, : len(along)] = along, response
+        for pair, top in enumerate(peak_steps[row]):
+            peak_at[row, pair, : len(top)], peak[row, pair, : len(top)] = (
+                along[top],
+                response[top, pair],
+            )
     return {
         "line": tuple(_called(line) for line in lines),
         "line_rotor": tuple(line.rotor for line in lines),
@@ -63,14 +66,15 @@ def line_fields(
         "step": np.arange(longest),
         "line_speed": speed,
         "line_curve": curve,
-        "crossing": np.arange(1, most + 1),
-        "line_peak_speed": at,
+        "crossing": np.arange(1, most_peaks + 1),
+        "line_peak_speed": peak_at,
         "line_peak_value": peak,
     }
 
 
 def _called(line: Line) -> str:
-    """
+    """Name of a line, with its rotor unless that is the spindle.
+
     >>> _called(Line("spindle", 2.0, 2.0)), _called(Line("outer", 1.0, 1.5))
     ('2×', '1× outer')
     """
@@ -83,9 +87,9 @@ def _expected(scene: Scene, lines: list[Line]) -> list[tuple[Line, Array, Array]
     critical = criticals_up_to(scene, size, orders)
     expected = []
     for line in lines:
-        crossings = [each for each in critical if each.line == line]
-        speed = np.array([each.speed for each in crossings])
-        expected.append((line, speed, speed * np.abs([each.damping_ratio for each in crossings])))
+        crossings = [peak for peak in critical if peak.line == line]
+        speed = np.array([peak.speed for peak in crossings])
+        expected.append((line, speed, speed * np.abs([peak.damping_ratio for peak in crossings])))
     return expected
 
 

@@ -1,4 +1,4 @@
-"""What a page shows of it: responses over frequency by speed, the map to turn, measured ones."""
+"""Blocks of a page: responses over frequency by speed, a map to rotate, measured responses."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ from rotordyn.results.display import RPM, number, shown
 from rotordyn.results.kinds import Array, Complex
 
 MOST_VALUES = 300_000  # of all responses of a page
-MOST_VARIANTS = 6  # over one another
+MOST_VARIANTS = 6  # in one chart
 MAP = (60, 240)  # most speeds and frequencies of a map
 
 
 def page(spec: Any, variants: Sequence[Shown]) -> Iterator[Block]:
-    """Responses of all variants at the speed chosen; the map of the one chosen; peaks."""
-    drawn = [v for v in variants[:MOST_VARIANTS] if _alike(v.result, variants[0].result)]
+    """Responses of all variants at a chosen speed, map of a chosen one, measured ones, peaks."""
+    drawn = [v for v in variants[:MOST_VARIANTS] if _is_comparable(v.result, variants[0].result)]
     first: FrequencyResponse = drawn[0].result
     yield _responses(drawn)
     if first.speed.size > 1 and first.frequency.size > 1:
@@ -38,17 +38,17 @@ def page(spec: Any, variants: Sequence[Shown]) -> Iterator[Block]:
     yield _peaks(drawn)
 
 
-def _alike(result: FrequencyResponse, first: FrequencyResponse) -> bool:
+def _is_comparable(result: FrequencyResponse, first: FrequencyResponse) -> bool:
     return result.pair == first.pair and np.array_equal(result.speed, first.speed)
 
 
 def _responses(variants: Sequence[Shown]) -> Chart:
     first: FrequencyResponse = variants[0].result
     speeds, pairs = len(first.speed), len(first.pair)
-    most = MOST_VALUES // (2 * len(variants) * speeds * pairs)
+    most_points = MOST_VALUES // (2 * len(variants) * speeds * pairs)
     traces: list[dict[str, Any]] = []
     for place, variant in enumerate(variants):
-        x, values = _sampled(variant.result, max(most, 100))
+        x, values = _sampled(variant.result, max(most_points, 100))
         name = variant.title if len(variants) > 1 else "amplitude"
         parts = {"y": np.abs(values), "y2": _phase(values)}
         for part, y in parts.items():
@@ -57,7 +57,9 @@ def _responses(variants: Sequence[Shown]) -> Chart:
             trace = {"mode": "lines", "line": looks, "moving": moving, "yaxis": part}
             names = {"name": name if part == "y" else f"{name}, phase", "legendgroup": name}
             traces.append(trace | names | {"showlegend": len(variants) > 1 and part == "y"})
-    words = [_all_said(variants, speed, pair) for pair in range(pairs) for speed in range(speeds)]
+    captions = [
+        _captions(variants, speed, pair) for pair in range(pairs) for speed in range(speeds)
+    ]
     layout = {
         "xaxis": axis(
             declared(first)["frequency"].metadata["label"], "Hz", anchor="y2", showspikes=True
@@ -73,7 +75,7 @@ def _responses(variants: Sequence[Shown]) -> Chart:
         traces,
         layout,
         [_pairs(first), Control("speed", _speeds(first), slider=True)],
-        words,
+        captions,
         note="Point into the chart for a cursor with values.",
         wide=True,
         tall=560,
@@ -93,41 +95,43 @@ def _units(result: FrequencyResponse) -> list[str]:
 
 
 def _moving(result: FrequencyResponse, label: str, by: int = 0) -> dict[str, Any]:
-    """The title of an axis, with the unit of the pair that a control chooses."""
+    """Title of an axis with the unit of the pair chosen by control number ``by``."""
     return {"by": (by,), "values": [f"{label} [{unit}]" for unit in _units(result)]}
 
 
-def _all_said(variants: Sequence[Shown], speed: int, pair: int) -> str:
-    said = [_said(variant.result, speed, pair) for variant in variants]
-    if len(said) == 1:
-        return said[0]
-    return " ".join(f"{each.title}: {words}" for each, words in zip(variants, said, strict=True))
+def _captions(variants: Sequence[Shown], speed: int, pair: int) -> str:
+    parts = [_caption(variant.result, speed, pair) for variant in variants]
+    if len(parts) == 1:
+        return parts[0]
+    return " ".join(
+        f"{variant.title}: {part}" for variant, part in zip(variants, parts, strict=True)
+    )
 
 
-def _said(result: FrequencyResponse, speed: int, pair: int) -> str:
-    """What is said of the response at one speed."""
+def _caption(result: FrequencyResponse, speed: int, pair: int) -> str:
+    """Caption of a response at one speed: its peaks, or why it is not solved."""
     if result.outcome[speed]:
         return f"Not solved: {result.outcome[speed]}."
     at = result.peak_frequency[speed, pair]
     size = np.abs(result.peak_value[speed, pair]) * shown(result.unit(pair)).factor
-    words = [
+    texts = [
         f"{number(hertz)} Hz ({height:.3g})"
         if np.isfinite(height)
         else f"{number(hertz)} Hz (unbounded)"
         for hertz, height in zip(at, size, strict=True)
         if np.isfinite(hertz)
     ]
-    peaks = f"Peaks [{shown(result.unit(pair)).unit}]: {', '.join(words)}." if words else "No peak."
+    peaks = f"Peaks [{shown(result.unit(pair)).unit}]: {', '.join(texts)}." if texts else "No peak."
     unstable = "The machine is unstable at this speed: the response is not reached. "
     return (unstable if result.unstable[speed] else "") + peaks
 
 
-def _sampled(result: FrequencyResponse, most: int) -> tuple[Array, Complex]:
-    """Frequencies and printed values (pairs, speeds, points), every peak among them.
+def _sampled(result: FrequencyResponse, most_points: int) -> tuple[Array, Complex]:
+    """Frequencies and printed values (pairs, speeds, points), peaks included.
 
-    Of the frequencies of the case every so many is kept, all of them near peaks.
+    Of the frequencies of the case every n-th is kept, and all of them adjacent to peaks.
     """
-    frequency, step = result.frequency, max(1, -(-len(result.frequency) // most))
+    frequency, step = result.frequency, max(1, -(-len(result.frequency) // most_points))
     extra = _about_peaks(result)
     grid = frequency[::step]
     x = np.empty((len(result.pair), len(result.speed), len(grid) + extra.shape[-1]))
@@ -150,16 +154,16 @@ def _sampled(result: FrequencyResponse, most: int) -> tuple[Array, Complex]:
 
 
 def _about_peaks(result: FrequencyResponse) -> Array:
-    """Frequencies of the case beside peaks, and the peaks, (speeds, pairs, points), NaN of none."""
+    """Frequencies of the case around peaks, and of the peaks (speeds, pairs, points), else NaN."""
     peaks = result.peak_frequency
-    near = np.searchsorted(result.frequency, np.nan_to_num(peaks))
-    beside = np.clip(near[..., None] + np.arange(-6, 6), 0, len(result.frequency) - 1)
-    around = np.where(np.isfinite(peaks)[..., None], result.frequency[beside], np.nan)
+    index = np.searchsorted(result.frequency, np.nan_to_num(peaks))
+    neighbours = np.clip(index[..., None] + np.arange(-6, 6), 0, len(result.frequency) - 1)
+    around = np.where(np.isfinite(peaks)[..., None], result.frequency[neighbours], np.nan)
     return np.concatenate([around.reshape(*peaks.shape[:2], -1), peaks], axis=-1)
 
 
 def _phase(values: Complex) -> Array:
-    """Phase [deg], broken where it wraps; none of a response that is zero."""
+    """Phase [deg], broken where it wraps; NaN where the response is zero."""
     with np.errstate(invalid="ignore"):
         phase = np.degrees(np.angle(np.where(values == 0.0, np.nan, values)))
     return np.apply_along_axis(wrapped_phase, -1, phase)
@@ -206,28 +210,28 @@ def _height(result: FrequencyResponse, pair: int, edges: Array, speed: Array) ->
 
 
 def _measured(result: FrequencyResponse, title: str) -> Iterator[Block]:
-    """Every measured response over the computed one at the nearest speed."""
+    """Chart of every measured response over the computed one at the nearest speed."""
     if not result.measured:
         return
-    known, computed, frequency = [], [], result.frequency
+    measured, computed, frequency = [], [], result.frequency
     for row, pair in enumerate(result.measured_pair):
-        k, near = (
+        k, speed = (
             result.pair.index(pair),
             int(np.abs(result.speed - result.measured_speed[row]).argmin()),
         )
         factor = shown(result.unit(k)).factor
-        known.append(np.abs(result.measured_response[row]) * factor)
-        computed.append(np.abs(result.response[near, k]) * factor)
+        measured.append(np.abs(result.measured_response[row]) * factor)
+        computed.append(np.abs(result.response[speed, k]) * factor)
     marks = {"color": INK, "size": 4, "symbol": "circle-open"}
     traces: list[dict[str, Any]] = [
         {"x": frequency, "name": "computed", "mode": "lines", "line": line(0)}
         | {"moving": {"y": np.array(computed)}},
         {"name": "measured", "mode": "markers", "marker": marks}
-        | {"moving": {"x": result.measured_frequency, "y": np.array(known)}},
+        | {"moving": {"x": result.measured_frequency, "y": np.array(measured)}},
     ]
     unit = _units(result)[result.pair.index(result.measured_pair[0])]
     layout = {"xaxis": axis("frequency", "Hz"), "yaxis": logarithmic("amplitude", unit)}
-    words = [
+    captions = [
         f"{result.kind} {result.measured_pair[k]} at {speeds_compared(result, k)}"
         + (f"; FRAC {result.frac[k]:.3f}" if np.isfinite(result.frac[k]) else "")
         for k in range(len(result.measured))
@@ -238,14 +242,14 @@ def _measured(result: FrequencyResponse, title: str) -> Iterator[Block]:
         traces,
         layout,
         controls,
-        words,
+        captions,
         wide=True,
         tall=420,
     )
 
 
 def _peaks(variants: Sequence[Shown]) -> Table:
-    """The highest peak of every pair."""
+    """Table of the highest peak of every pair."""
     rows = []
     for variant in variants:
         result: FrequencyResponse = variant.result

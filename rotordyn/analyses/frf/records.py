@@ -41,8 +41,8 @@ _FORMS = "frequency with real and imaginary, or with amplitude and phase"
 
 
 class Record(NamedTuple):
-    """``quantity`` of ``QUANTITIES`` in SI over frequency [Hz]; ``coherence`` γ² and ``speed``
-    [rad/s] of the spindle where the file has them."""
+    """A measured ``quantity`` of ``QUANTITIES`` in SI over frequency [Hz]; ``coherence`` γ² and
+    ``speed`` [rad/s] of the spindle where the file has them."""
 
     quantity: str
     frequency: tuple[float, ...]
@@ -60,7 +60,7 @@ def read_record(path: Path, pair: str, number: int | None) -> Record:
     ------
     InvalidInput : the file cannot be read, or holds something else; one sentence
     """
-    if not os.path.isfile(path):  # also of a name that is none
+    if not os.path.isfile(path):  # False for an invalid name, too
         raise InvalidInput("no such file")
     if path.suffix.lower() != ".csv":
         return _from_uff(path, pair, number)
@@ -71,12 +71,12 @@ def read_record(path: Path, pair: str, number: int | None) -> Record:
 
 def _from_uff(path: Path, pair: str, number: int | None) -> Record:
     sets = _sets_58(path)
-    alone = [data_set for data_set in sets if data_set.get("func_type") == _FRF]
-    if number is None and len(sets) > 1 and len(alone) != 1:
+    frf_sets = [data_set for data_set in sets if data_set.get("func_type") == _FRF]
+    if number is None and len(sets) > 1 and len(frf_sets) != 1:
         raise InvalidInput(f"{len(sets)} records of type 58: say which by record, 1 to {len(sets)}")
     if number is not None and number > len(sets):
         raise InvalidInput(f"no record {number}: the file has {len(sets)} of type 58")
-    data_set = sets[number - 1] if number is not None else [*alone, *sets][0]
+    data_set = sets[number - 1] if number is not None else [*frf_sets, *sets][0]
     if data_set.get("func_type") != _FRF or data_set.get("ord_data_type") not in _COMPLEX:
         raise InvalidInput("the record is no complex frequency response function")
     frequency, values = [float(f) for f in data_set["x"]], [complex(v) for v in data_set["data"]]
@@ -84,49 +84,49 @@ def _from_uff(path: Path, pair: str, number: int | None) -> Record:
         raise InvalidInput(f"frequency in {shown(_label(data_set, 'abscissa'))}; allowed: Hz")
     quantity, scale = _uff_unit(data_set, pair)
     scale *= _sign(data_set, pair)
-    coherence = next((own for own in sets if _coherence_of(data_set, own)), None)
-    known = () if coherence is None else [complex(value).real for value in coherence["data"]]
-    found = _record(pair, quantity, frequency, [scale * value for value in values], known)
-    return found._replace(speed=_speed(data_set))
+    coherence = next((other for other in sets if _coherence_of(data_set, other)), None)
+    gamma = () if coherence is None else [complex(value).real for value in coherence["data"]]
+    record = _record(pair, quantity, frequency, [scale * value for value in values], gamma)
+    return record._replace(speed=_speed(data_set))
 
 
 def _sign(data_set: dict[str, Any], pair: str) -> float:
-    """−1 where motion and force were counted in opposite directions, such as −y and +y.
+    """Sign of a record: −1 where motion and force have opposite directions, such as −y and +y.
 
     Axes of the record may have other names than those of the case, but the same for both ends; a
     direction of 0 is unknown.
     """
-    ways = [int(data_set.get(key) or 0) for key in ("rsp_dir", "ref_dir")]
+    directions = [int(data_set.get(key) or 0) for key in ("rsp_dir", "ref_dir")]
     ends = [port.rpartition(".")[2] for port in pair.split(" / ")]
-    for way, end, what in zip(ways, ends, ("response", "excitation"), strict=True):
-        if way and (abs(way) > AXES) != is_rotation(end):
+    for direction, end, what in zip(directions, ends, ("response", "excitation"), strict=True):
+        if direction and (abs(direction) > AXES) != is_rotation(end):
             raise InvalidInput(
-                f"{what} in direction {way} of the record, a "
-                f"{'rotation' if abs(way) > AXES else 'translation'}: no {end} as of {pair}"
+                f"{what} in direction {direction} of the record, a "
+                f"{'rotation' if abs(direction) > AXES else 'translation'}: no {end} as of {pair}"
             )
-    if all(ways) and ends[0] == ends[1] and abs(ways[0]) != abs(ways[1]):
+    if all(directions) and ends[0] == ends[1] and abs(directions[0]) != abs(directions[1]):
         raise InvalidInput(
-            f"response in direction {ways[0]} of the record, excitation in {ways[1]}: no {pair}, "
-            "whose directions are one"
+            f"response in direction {directions[0]} of the record, excitation in {directions[1]}: "
+            f"no {pair}, whose directions are one"
         )
-    if all(ways) and ends[0] != ends[1] and abs(ways[0]) == abs(ways[1]):
+    if all(directions) and ends[0] != ends[1] and abs(directions[0]) == abs(directions[1]):
         raise InvalidInput(
-            f"response and excitation both in direction {abs(ways[0])} of the record: no {pair}, "
-            "whose directions are two"
+            f"response and excitation both in direction {abs(directions[0])} of the record: "
+            f"no {pair}, whose directions are two"
         )
-    return -1.0 if ways[0] * ways[1] < 0 else 1.0
+    return -1.0 if directions[0] * directions[1] < 0 else 1.0
 
 
 def _speed(data_set: dict[str, Any]) -> float | None:
-    """Of the spindle [rad/s], whichever way it turns, where that is what the third axis says in a
-    unit that is known, Hz among them; rpm by its kind, without a unit. At 0 it may be unknown."""
+    """Spindle speed [rad/s], without sign, where the third axis of a record gives it in a known
+    unit, Hz among them (rpm without a unit); else None. 0 counts as unknown."""
     if data_set.get("z_axis_spec_data_type") != _ROTATION:
         return None
     try:
         unit = _label(data_set, "z_axis")
         unit = "rpm" if unit.lower() in ("", "rpm") else unit
-        turns = unit.upper() == "HZ"
-        scale = math.tau if turns else _plain(unit, "rpm", "speed", "rpm, rad/s")
+        is_hertz = unit.upper() == "HZ"
+        scale = math.tau if is_hertz else _plain(unit, "rpm", "speed", "rpm, rad/s")
     except InvalidInput:
         return None
     return abs(float(data_set["z_axis_value"])) * scale or None
@@ -154,7 +154,7 @@ def _sets_58(path: Path) -> list[dict[str, Any]]:
     if not data_sets:
         raise InvalidInput("no record of type 58 in it")
     sizes = [units[-1][key] for key in ("length", "force")] if units else [1.0, 1.0]
-    return [{**each, **dict(zip(_OF_FILE, sizes, strict=True))} for each in data_sets]
+    return [{**data_set, **dict(zip(_OF_FILE, sizes, strict=True))} for data_set in data_sets]
 
 
 def _label(data_set: dict[str, Any], axis: str) -> str:
@@ -163,8 +163,8 @@ def _label(data_set: dict[str, Any], axis: str) -> str:
 
 
 def _uff_unit(data_set: dict[str, Any], pair: str) -> tuple[str, float]:
-    """Quantity and factor to SI; of a label alone the other is in SI, or both stand in one. A
-    record without labels is in the units of its file, SI unless that says otherwise."""
+    """Quantity and factor to SI of a record. A single label holds the whole unit, or the missing
+    part is in SI. A record without labels is in the units of its file, by default SI."""
     code = data_set.get("ordinate_spec_data_type")
     motion, load = _label(data_set, "ordinate"), _label(data_set, "orddenom")
     if code in _MOTIONS and not (motion or load):
@@ -178,16 +178,16 @@ def _uff_unit(data_set: dict[str, Any], pair: str) -> tuple[str, float]:
 
 
 def _response(motion: str, load: str, code: object, pair: str) -> str:
-    """The unit of a response by its labels, of which one may be missing."""
+    """Unit of a response from its labels, of which one may be missing."""
     kind = _MOTIONS.get(code, "") if isinstance(code, int) else ""
-    known = response_unit(pair, kind or "receptance").rpartition("/")
+    si_parts = response_unit(pair, kind or "receptance").rpartition("/")
     if motion and not load:
         try:
             _unit(motion, pair)
         except InvalidInput:
-            return f"({motion})/({known[2]})"
+            return f"({motion})/({si_parts[2]})"
         return motion
-    return f"({motion or (known[0] if kind else '')})/({load})"
+    return f"({motion or (si_parts[0] if kind else '')})/({load})"
 
 
 def _of_file(data_set: dict[str, Any], pair: str) -> float:
@@ -210,15 +210,15 @@ def _unit(text: str, pair: str) -> tuple[str, float]:
         unit = None
     factor = 1.0 if accelerated == spelled else STANDARD_GRAVITY
     for quantity in QUANTITIES:
-        wanted = parse_unit(_flat(response_unit(pair, quantity)))
-        if unit is not None and unit.dimension == wanted.dimension:
+        si_unit = parse_unit(_flat(response_unit(pair, quantity)))
+        if unit is not None and unit.dimension == si_unit.dimension:
             return quantity, unit.scale * factor
     allowed = ", ".join(response_unit(pair, quantity) for quantity in QUANTITIES)
     raise InvalidInput(f"not a unit of {pair}: given {shown(text)}; allowed: {allowed}")
 
 
 def _flat(text: str) -> str:
-    """Without brackets: what is divided by a product is divided by each of its factors."""
+    """A unit without brackets: division by a product becomes division by each factor."""
     divided = re.sub(
         r"/\s*\(([^()]*)\)", lambda m: "/" + re.sub(r"\s*[·⋅* ]\s*", "/", m[1].strip()), text
     )
@@ -232,36 +232,38 @@ def _from_table(path: Path, pair: str) -> Record:
     numbers = rows[1:]
     frequency = _scaled(numbers, columns["frequency"], _hertz(columns["frequency"][1]))
     first, second = (("real", "imaginary"), ("amplitude", "phase"))["amplitude" in columns]
-    known = columns.get("coherence")
-    coherence = [] if known is None else _scaled(numbers, known, 1.0)
+    coherence_column = columns.get("coherence")
+    coherence = [] if coherence_column is None else _scaled(numbers, coherence_column, 1.0)
     quantity, scale = _unit(columns[first][1], pair)
-    one = _scaled(numbers, columns[first], scale)
+    first_part = _scaled(numbers, columns[first], scale)
     if second == "imaginary":
         other, factor = _unit(columns[second][1], pair)
         if other != quantity:
             raise InvalidInput(f"real part of a {quantity}, imaginary part of a {other}")
-        two = _scaled(numbers, columns[second], factor)
-        return _record(pair, quantity, frequency, list(map(complex, one, two)), coherence)
+        imaginary = _scaled(numbers, columns[second], factor)
+        return _record(
+            pair, quantity, frequency, list(map(complex, first_part, imaginary)), coherence
+        )
     phase = _scaled(numbers, columns[second], _angle(columns[second][1]))
-    if min(one, default=0.0) < 0.0:
-        raise InvalidInput(f"an amplitude below zero: given {min(one) / scale:g}")
-    values = [cmath.rect(a, p) for a, p in zip(one, phase, strict=True)]
+    if min(first_part, default=0.0) < 0.0:
+        raise InvalidInput(f"an amplitude below zero: given {min(first_part) / scale:g}")
+    values = [cmath.rect(a, p) for a, p in zip(first_part, phase, strict=True)]
     return _record(pair, quantity, frequency, values, coherence)
 
 
 def _rows(path: Path) -> list[Row]:
-    """The header and what follows it."""
+    """Rows of a table in UTF-8, the header first."""
     try:
-        found = rows_of(path.read_text(encoding="utf-8-sig"))
+        rows = rows_of(path.read_text(encoding="utf-8-sig"))
     except UnicodeDecodeError as error:
         raise InvalidInput(f"not a table in UTF-8: {error}") from None
-    if not found:
+    if not rows:
         raise InvalidInput("the file is empty")
-    return found
+    return rows
 
 
 def _columns(header: Sequence[str], pair: str) -> dict[str, tuple[int, str]]:
-    """Place and unit of the columns in use; of several alike that which names the pair."""
+    """Index and unit of every column in use; of several of one kind, that which names the pair."""
     columns: dict[str, list[tuple[int, str, str]]] = {}
     for place, cell in enumerate(header):
         match = _COLUMN.fullmatch(cell)
@@ -271,10 +273,10 @@ def _columns(header: Sequence[str], pair: str) -> dict[str, tuple[int, str]]:
             columns.setdefault(_WORDS[words[-1]], []).append((place, unit, cell))
     chosen = {}
     for word, places in columns.items():
-        named = [entry for entry in places if pair in entry[2]]
-        if len(places) > 1 and len(named) != 1:
+        naming_pair = [entry for entry in places if pair in entry[2]]
+        if len(places) > 1 and len(naming_pair) != 1:
             raise InvalidInput(f"{len(places)} columns for {word}: one must name {pair}")
-        place, unit, cell = (named or places)[0]
+        place, unit, cell = (naming_pair or places)[0]
         if not unit.strip() and word != "coherence":
             raise InvalidInput(f"column {shown(cell)} has no unit: write it as '{word} [unit]'")
         chosen[word] = (place, unit)
@@ -292,7 +294,7 @@ def _refuse_widths(rows: Sequence[Row]) -> None:
 
 
 def _scaled(rows: Sequence[Row], column: tuple[int, str], scale: float) -> list[float]:
-    """A column in SI; those that are none of ours may hold anything."""
+    """Values of a column in SI; columns not in use are not checked."""
     place, values = column[0], []
     for line, cells in rows:
         value = _number(cells[place]) * scale
@@ -341,7 +343,7 @@ def _record(
         raise InvalidInput(f"{len(values)} values at {len(frequency)} frequencies")
     if coherence and len(coherence) != len(frequency):
         raise InvalidInput(f"{len(coherence)} values of coherence at {len(frequency)} frequencies")
-    if frequency[:1] == [0.0]:  # the line of the mean, with which records of analysers begin
+    if frequency[:1] == [0.0]:  # the DC line, with which records of analysers begin
         frequency, values, coherence = frequency[1:], values[1:], coherence[1:]
     _refuse_frequencies(frequency)
     if not any(values):
@@ -362,7 +364,7 @@ def _refuse_frequencies(frequency: Sequence[float]) -> None:
         raise InvalidInput(f"too few frequencies: given {len(frequency)}; allowed: at least 2")
     for refusal in filter(None, map(FREQUENCY.refusal, frequency)):
         raise InvalidInput(refusal)
-    for place, (before, here) in enumerate(pairwise(frequency), start=2):
-        if here <= before:
-            how = "repeated" if here == before else "not in ascending order"
-            raise InvalidInput(f"frequency {place}: {how}: given {here:.6g} after {before:.6g}")
+    for place, (previous, value) in enumerate(pairwise(frequency), start=2):
+        if value <= previous:
+            how = "repeated" if value == previous else "not in ascending order"
+            raise InvalidInput(f"frequency {place}: {how}: given {value:.6g} after {previous:.6g}")

@@ -23,17 +23,17 @@ BEYOND = Absence("behind the last frequency of the slice", last="place")
 class FrequencyResponse:
     """Complex frequency responses at independent speed and frequency; ``pair`` reads ``out / in``.
 
-    Subclasses add the values at the frequencies of the case, whose name is their ``kind``. Every
-    peak between and at them is solved for: ``peak_frequency`` and ``peak_value``, ascending, NaN
-    where there are fewer, infinite of a mode without damping. ``peak_damping``: NaN of a peak that
-    no single mode makes; ``light_mode``: empty from ``LIGHT`` up. ``slice_value`` is the response
-    at the speeds that are drawn, at the frequencies of the case and more of them about every mode,
-    NaN beyond the last. ``line_value``: along the lines of engine orders, at the speeds of the
-    case, ``line_curve`` at more of them about the critical speeds; a stop that closes leaves a NaN.
-    What was ``measured`` has frequencies of its own, NaN beyond its last ``sample``; its highest
-    peaks stand beside the computed ones next to them, NaN where there are fewer. ``unstable``: some
-    motion grows by itself there, so that the steady solution given is not reached. ``frac``:
-    frequency response assurance criterion.
+    Subclasses add the values at the frequencies of the case, in a field named by ``kind``. Every
+    peak at and between them is solved for: ``peak_frequency`` and ``peak_value``, ascending, NaN
+    where there are fewer, infinite for an undamped mode. ``peak_damping``: NaN for a peak that no
+    single mode makes; ``light_mode``: empty for damping ratios from ``LIGHT`` up. ``slice_value``:
+    response at the slice speeds, at the frequencies of the case and further ones about every mode,
+    NaN beyond the last. ``line_value``: response along the engine orders at the speeds of the case;
+    ``line_curve``: also at speeds about the critical ones, NaN at which a stop closes. ``measured``
+    responses have their own frequencies, NaN beyond the last ``sample``; their highest peaks are
+    paired with the nearest computed ones, NaN where there are fewer. ``unstable``: a mode is
+    unstable, so that the steady solution given is not reached. ``frac``: frequency response
+    assurance criterion.
     """
 
     kind: ClassVar[str]
@@ -213,16 +213,16 @@ class FrequencyResponse:
 
     @property
     def response(self) -> Complex:
-        """The values of its kind (speeds, pairs, frequencies)."""
+        """Responses of the kind of the result (speeds, pairs, frequencies)."""
         values: Complex = getattr(self, self.kind)
         return values
 
     def curve(self, index: int, pair: int) -> tuple[Array, Complex]:
-        """Frequencies [Hz] and values of a pair at a speed that is drawn, by its place among all
+        """Frequencies [Hz] and values of a pair at a slice speed, whose ``index`` counts all
         speeds."""
         row = int(np.flatnonzero(np.flatnonzero(self.is_slice) == index)[0])
-        known = np.isfinite(self.slice_frequency[row])
-        return self.slice_frequency[row, known], self.slice_value[row, pair, known]
+        finite = np.isfinite(self.slice_frequency[row])
+        return self.slice_frequency[row, finite], self.slice_value[row, pair, finite]
 
     def unit(self, pair: int) -> str:
         """SI unit of the values of a pair."""
@@ -277,10 +277,10 @@ class InertanceResult(FrequencyResponse):
 
 @dataclass(frozen=True)
 class TurningFrfResult(FrfResult):
-    """The same in the frame that turns with the shaft: y, z, force and frequency belong to it.
+    """Receptance in the frame that rotates with the shaft, as are y, z, force and frequency.
 
-    In the complex form H there at ω is H of the fixed frame at ω + Ω. Axial motion and torsion are
-    the same in both.
+    In complex form, H of the rotating frame at ω is H of the fixed frame at ω + Ω. Axial motion and
+    torsion are the same in both.
     """
 
     turning_frame: ClassVar[bool] = True

@@ -12,14 +12,14 @@ from rotordyn.results.layout import Table
 
 
 def slices(result: FrequencyResponse) -> Iterator[Table]:
-    """One table per slice with a solution: a line per frequency; of every pair both parts, and
-    amplitude and phase. Then one of the peaks."""
+    """One table per slice with a solution, a line per frequency: real and imaginary part, amplitude
+    and phase of every pair. Then one of the peaks."""
     for row, speed in enumerate(result.slice_speed):
-        known = np.isfinite(result.slice_frequency[row])
-        values = result.slice_value[row][:, known]
+        finite = np.isfinite(result.slice_frequency[row])
+        values = result.slice_value[row][:, finite]
         if not np.isfinite(values).all():
             continue
-        columns = [("frequency", shown("Hz"), result.slice_frequency[row, known])]
+        columns = [("frequency", shown("Hz"), result.slice_frequency[row, finite])]
         for place, pair in enumerate(result.pair):
             label, unit = f"{result.kind} {pair}", shown(result.unit(place))
             columns.append((label, unit, values[place]))

@@ -45,29 +45,29 @@ from rotordyn.scene.hardly_damped import LIGHT
 from rotordyn.scene.refinement import changes, few_rows, response_accuracy, solve_accurately
 from rotordyn.scene.scene import Scene
 
-Answered = Callable[..., Complex]  # by frequency [Hz] and, of some pairs alone, their slice
+Answered = Callable[..., Complex]  # responses by frequency [Hz], of all pairs or a slice
 DOUBTFUL = 1e-2  # error over the peak, from which a response may be rounding alone
 NOTHING = 1e-9  # of the direct responses at both ends: less is rounding
 GRID = 24  # frequencies at which the finer model is compared, besides those of the modes
-UNDAMPED = 1e-9  # of the frequency: a pole so near to it has no damping
-BESIDE = 1e-8  # of the frequency, to either side of which a response is compared with its
-CLOSE = 1e-10  # likewise, where it is taken too: on a pole itself it may cancel by rounding
-HIGHER = 10.0  # times what it is there: so near to a pole its size is nothing but rounding
+UNDAMPED = 1e-9  # of the frequency: a smaller damping, or distance from a pole, is none
+BESIDE = 1e-8  # of the frequency: distance to both sides at which the reference response is taken
+CLOSE = 1e-10  # likewise, for the response itself: exactly on a pole it may cancel by rounding
+HIGHER = 10.0  # times the reference: a larger response is bounded by rounding alone
 _KINDS: dict[str, type[FrequencyResponse]] = {
     kind.kind: kind for kind in (FrfResult, MobilityResult, InertanceResult)
 }
 
 
 def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
-    """H (speeds, pairs, frequencies): response per unit force or moment, bearing speed included,
-    of a model refined until they are as accurate as asked for.
+    """Frequency responses H (speeds, pairs, frequencies) to unit forces and moments, bearing speed
+    included, of a model refined to the accuracy requested.
 
-    Between motions that nothing couples it is zero.
+    Between subsystems that nothing couples H is zero.
 
     Raises
     ------
     InvalidInput : mobility or inertance in the turning frame; more values than fit; a frequency
-        at which nothing limits the response
+        at which the response is unbounded
     """
     turning = scene.conditions.formulation == ROTATING
     if turning:
@@ -79,9 +79,9 @@ def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
     frequency = np.array(spec.frequencies, dtype=float)
     require_responses("frf", len(scene.usable), len(spec.pairs), len(frequency))
     power = QUANTITIES.index(spec.quantity)
-    judged = _asked(scene, spec)
+    hertz = _requested(scene, spec)
     scene, error = solve_accurately(
-        scene, lambda one: _errors(one, spec, judged, power), lambda errors: float(errors.max())
+        scene, lambda finer: _errors(finer, spec, hertz, power), lambda errors: float(errors.max())
     )
     responses = partial(_responses, spec.pairs, power)
     growing = np.zeros(len(scene.usable), dtype=bool)
@@ -89,12 +89,12 @@ def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
         growing |= scene.system(k).growing.any(axis=1)
     names = tuple(f"{response} / {excitation}" for response, excitation in spec.pairs)
     kind = TurningFrfResult if turning else _KINDS[spec.quantity]
-    rest: dict[str, Any] = _on_grid(scene, spec, frequency, power)
-    values, peaks = rest.pop("values"), (rest["peak_frequency"], rest["peak_value"])
-    rest |= line_fields(scene, spec, responses, partial(responses, few=True))
+    fields: dict[str, Any] = _on_grid(scene, spec, frequency, power)
+    values, peaks = fields.pop("values"), (fields["peak_frequency"], fields["peak_value"])
+    fields |= line_fields(scene, spec, responses, partial(responses, few=True))
     computed = partial(_at_speed, scene, spec.pairs, power)
-    laid, noise = with_coupled(spec, scene.spindle)
-    rest |= measured_fields(laid, scene.speed, frequency, names, computed, peaks, noise)
+    with_tip, noise = with_coupled(spec, scene.spindle)
+    fields |= measured_fields(with_tip, scene.speed, frequency, names, computed, peaks, noise)
     return kind(
         speed=scene.speed,
         frequency=frequency,
@@ -104,12 +104,12 @@ def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
         error=error,
         error_asked=response_accuracy(scene),
         **{spec.quantity: values},
-        **rest,
+        **fields,
     )
 
 
 def _on_grid(scene: Scene, spec: FrfSpec, frequency: Array, power: int) -> dict[str, Any]:
-    """The fields of a result about ``spec.frequencies``; ``values`` (speeds, pairs, f) as well."""
+    """Fields of a result over ``spec.frequencies``; responses as ``values`` (speeds, pairs, f)."""
     shape = (len(scene.usable), len(spec.pairs))
     values = np.zeros((*shape, len(frequency)), dtype=complex)
     turning = scene.conditions.formulation == ROTATING
@@ -117,84 +117,85 @@ def _on_grid(scene: Scene, spec: FrfSpec, frequency: Array, power: int) -> dict[
     poles: list[Poles] = []
     for k, places in _by_system(scene, spec.pairs).items() if len(frequency) else ():
         motions, pairs = scene.system(k), [spec.pairs[place] for place in places]
-        answered = _answered(scene, motions, pairs, power)
-        values[:, places] = grid = answered(frequency)
-        _refuse_unlimited(scene, answered, motions, frequency, grid)
+        responses = _responses_of(scene, motions, pairs, power)
+        values[:, places] = grid = responses(frequency)
+        _refuse_unlimited(scene, responses, motions, frequency, grid)
         poles.append(poles_of(motions, frequency[0], frequency[-1], turning=turning))
         reach = np.linalg.norm(_rows(scene, motions, pairs), axis=2).prod(axis=1)
         reach *= (2.0 * math.pi) ** power
-        parts.append((places, peaks_of(answered, poles[-1], frequency, grid, reach, power)))
-    at, high = joined(parts, shape)
-    damping = np.full(at.shape, np.nan)
-    for (places, _), each in zip(parts, poles, strict=True):
-        damping[:, places] = each.damping_at(at[:, places])
+        parts.append((places, peaks_of(responses, poles[-1], frequency, grid, reach, power)))
+    peak_at, peak = joined(parts, shape)
+    damping = np.full(peak_at.shape, np.nan)
+    for (places, _), subsystem in zip(parts, poles, strict=True):
+        damping[:, places] = subsystem.damping_at(peak_at[:, places])
     slices = _slices(scene, spec) if len(frequency) else np.zeros(0, dtype=np.intp)
     rows = {index: row for row, index in enumerate(scene.usable.tolist())}
     curves = [frequency] * len(slices)
     for place, index in enumerate(slices.tolist()):
         if (row := rows.get(index)) is not None and poles:
-            tops = at[row][np.isfinite(at[row]) & np.isfinite(high[row])]  # no undamped ones
-            curves[place] = curve_at([each.at(row) for each in poles], frequency, tops)
+            # undamped peaks are infinite
+            tops = peak_at[row][np.isfinite(peak_at[row]) & np.isfinite(peak[row])]
+            curves[place] = curve_at([subsystem.at(row) for subsystem in poles], frequency, tops)
     longest = max(map(len, curves), default=0)
-    axis = np.full((len(slices), longest), np.nan)
-    shown = np.full((len(slices), len(spec.pairs), longest), complex(np.nan, np.nan))
+    slice_frequency = np.full((len(slices), longest), np.nan)
+    slice_value = np.full((len(slices), len(spec.pairs), longest), complex(np.nan, np.nan))
     for place, (index, along) in enumerate(zip(slices.tolist(), curves, strict=True)):
-        axis[place, : len(along)] = along
-        between = np.ones(len(along), dtype=bool)
-        between[np.searchsorted(along, frequency)] = False
-        curve = shown[place, :, : len(along)]
-        if between.any():
-            curve[:, between] = _at_speed(scene, spec.pairs, power, index, along[between])
+        slice_frequency[place, : len(along)] = along
+        is_extra = np.ones(len(along), dtype=bool)
+        is_extra[np.searchsorted(along, frequency)] = False
+        curve = slice_value[place, :, : len(along)]
+        if is_extra.any():
+            curve[:, is_extra] = _at_speed(scene, spec.pairs, power, index, along[is_extra])
         if index in rows:
-            curve[:, ~between] = values[rows[index]]
+            curve[:, ~is_extra] = values[rows[index]]
     return {
         "values": scene.scattered(values),
         "is_slice": np.isin(np.arange(len(scene.speed)), slices),
-        "resonance": np.arange(1, at.shape[-1] + 1),
-        "peak_frequency": scene.scattered(at),
-        "peak_value": scene.scattered(high),
+        "resonance": np.arange(1, peak_at.shape[-1] + 1),
+        "peak_frequency": scene.scattered(peak_at),
+        "peak_value": scene.scattered(peak),
         "peak_damping": scene.scattered(damping),
-        "light_mode": _light_modes(scene, spec, at, np.abs(high), damping),
+        "light_mode": _light_modes(scene, spec, peak_at, np.abs(peak), damping),
         "slice_speed": scene.speed[slices],
         "place": np.arange(longest),
-        "slice_frequency": axis,
-        "slice_value": shown,
+        "slice_frequency": slice_frequency,
+        "slice_value": slice_value,
     }
 
 
 def _light_modes(
-    scene: Scene, spec: FrfSpec, at: Array, size: Array, damping: Array
+    scene: Scene, spec: FrfSpec, peak_frequency: Array, size: Array, damping: Array
 ) -> tuple[str, ...]:
     """The mode of the highest peak of each pair where its damping ratio is below ``LIGHT``; empty
-    elsewhere, and where nothing in the machine is damped, which is said otherwise."""
+    elsewhere, and where nothing in the machine is damped, which another warning reports."""
     names = [""] * len(spec.pairs)
     if not np.nanmin(damping, initial=1.0) < LIGHT or undamped(scene.spindle):
         return tuple(names)
     turning = scene.conditions.formulation == ROTATING
     speed = scene.speed[scene.usable] if turning else np.zeros(len(scene.usable))
-    branches, called = named(branches_of(scene, Band(BEYOND * spec.frequencies[-1])))
+    branches, titles = named(branches_of(scene, Band(BEYOND * spec.frequencies[-1])))
     for k, places in _by_system(scene, spec.pairs).items():
-        modes = [(b, name) for b, name in zip(branches, called, strict=True) if b.subsystem == k]
+        modes = [(b, name) for b, name in zip(branches, titles, strict=True) if b.subsystem == k]
         for place in places:
-            high = np.where(np.isnan(at[:, place]), -1.0, size[:, place])
-            row, top = np.unravel_index(high.argmax(), high.shape)
+            height = np.where(np.isnan(peak_frequency[:, place]), -1.0, size[:, place])
+            row, top = np.unravel_index(height.argmax(), height.shape)
             if damping[row, place, top] < LIGHT and modes:
                 omega = [mode.frequency_in_frame(speed)[row] for mode, _ in modes]
                 hertz = np.nan_to_num(np.array(omega) / (2.0 * math.pi), nan=np.inf)
-                away = np.abs(hertz - at[row, place, top])
-                names[place] = modes[int(away.argmin())][1]
+                distance = np.abs(hertz - peak_frequency[row, place, top])
+                names[place] = modes[int(distance.argmin())][1]
     return tuple(names)
 
 
 def _slices(scene: Scene, spec: FrfSpec) -> Indices:
-    """Places of the speeds that are drawn, among those of the case."""
+    """Indices, among the speeds of the case, of those drawn as slices."""
     ends = scene.speed[scene.usable[[0, -1]]]
-    wanted = *(spec.slices or ends), *spec.measured_speeds
-    return np.unique([int(np.abs(scene.speed - each).argmin()) for each in wanted])
+    drawn_speeds = *(spec.slices or ends), *spec.measured_speeds
+    return np.unique([int(np.abs(scene.speed - speed).argmin()) for speed in drawn_speeds])
 
 
-def _asked(scene: Scene, spec: FrfSpec) -> Array:
-    """All frequencies [Hz] at which responses are asked for."""
+def _requested(scene: Scene, spec: FrfSpec) -> Array:
+    """All frequencies [Hz] at which responses are requested."""
     hertz = [line.size * scene.speed[scene.usable] for line in lines_of(scene, spec)]
     orders = np.concatenate([np.zeros(0), *hertz]) / (2.0 * math.pi)
     return np.unique(np.concatenate([spec.frequencies, orders[orders > 0.0]]))
@@ -219,25 +220,25 @@ def _responses(
     *,
     few: bool = False,
 ) -> Complex:
-    """Of all pairs at frequencies (usable, f) [Hz], or at some ``rows`` of the usable speeds:
-    (usable, pairs, f). ``few`` frequencies need no modes."""
+    """Responses (usable, pairs, f) of all pairs at frequencies (usable, f) [Hz]; ``rows``: at these
+    of the usable speeds; ``few``: there are so few frequencies that modes do not pay."""
     values = np.zeros((len(frequency), len(pairs), frequency.shape[1]), dtype=complex)
     for k, places in _by_system(scene, pairs).items():
         modes = rows is None and not few
         motions = scene.system(k) if modes else scene.system_at(k, rows, few=few)
         chosen = [pairs[place] for place in places]
-        values[:, places] = _answered(scene, motions, chosen, power)(frequency)
+        values[:, places] = _responses_of(scene, motions, chosen, power)(frequency)
     return values
 
 
 def _rows(scene: Scene, motions: FreeMotions, pairs: Sequence[tuple[Port, Port]]) -> Array:
-    """Coordinates that pairs move and push (pairs, 2, n)."""
+    """Rows (pairs, 2, n) of response and excitation of every pair over n coordinates."""
     places = [[(*scene.spindle.place(port.point), port.direction) for port in p] for p in pairs]
-    return np.array([[motions.linear.row(*place) for place in both] for both in places])
+    return np.array([[motions.linear.row(*place) for place in ends] for ends in places])
 
 
 def _by_system(scene: Scene, pairs: Sequence[tuple[Port, Port]]) -> dict[int, list[int]]:
-    """Places of the pairs whose ends move in one subsystem; all others respond with zero."""
+    """Indices of the pairs by the subsystem that holds both ends; other responses are zero."""
     grouped: dict[int, list[int]] = {}
     for place, pair in enumerate(pairs):
         owners = {scene.owner(port.point, port.direction) for port in pair}
@@ -246,22 +247,22 @@ def _by_system(scene: Scene, pairs: Sequence[tuple[Port, Port]]) -> dict[int, li
     return grouped
 
 
-def _answered(
+def _responses_of(
     scene: Scene, motions: FreeMotions, pairs: Sequence[tuple[Port, Port]], power: int
 ) -> Answered:
-    """Responses (speeds, pairs, f) of a subsystem, or of some of the pairs, by frequency (f,) or
-    (speeds, f) [Hz], of which NaN is taken for 1 Hz."""
+    """Function of frequency (f,) or (speeds, f) [Hz] and, optionally, a slice of the pairs, which
+    gives responses (speeds, pairs, f) of a subsystem; NaN counts as 1 Hz."""
     response, excitation = _rows(scene, motions, pairs).swapaxes(0, 1)
     turning = scene.conditions.formulation == ROTATING and motions.whirling
     of_rows = motions.turning_receptance if turning else motions.receptance
 
-    def answered(frequency: Array, some: slice = slice(None)) -> Complex:
+    def responses(frequency: Array, chosen: slice = slice(None)) -> Complex:
         omega = 2.0 * math.pi * np.nan_to_num(frequency, nan=1.0)
         with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
-            values = of_rows(omega, response[some], excitation[some])
+            values = of_rows(omega, response[chosen], excitation[chosen])
             return values * (1j * omega[..., None, :]) ** power if power else values
 
-    return answered
+    return responses
 
 
 def _errors(scene: Scene, spec: FrfSpec, frequency: Array, power: int) -> Array:
@@ -273,8 +274,8 @@ def _errors(scene: Scene, spec: FrfSpec, frequency: Array, power: int) -> Array:
     if not scene.checks.wanted:
         return np.full_like(error, np.nan)
     for k, places in _by_system(scene, spec.pairs).items():
-        pairs, at = [spec.pairs[place] for place in places], _judged(scene, k, frequency)
-        values = partial(_few, k, pairs, at, power)
+        pairs, at = [spec.pairs[place] for place in places], _compared(scene, k, frequency)
+        values = partial(_at_few, k, pairs, at, power)
         error[places] = np.nan_to_num(changes(scene, values, 1))
         for place in places:
             if error[place] > DOUBTFUL and _is_rounding(scene, k, spec.pairs[place], at):
@@ -283,50 +284,50 @@ def _errors(scene: Scene, spec: FrfSpec, frequency: Array, power: int) -> Array:
 
 
 def _is_rounding(scene: Scene, k: int, pair: tuple[Port, Port], at: Array) -> bool:
-    """A response that symmetry makes zero: nothing beside the direct ones of its two ends."""
+    """Whether a response is zero by symmetry: no more than rounding of those at its ends."""
     response, excitation = pair
-    every = [pair, (response, response), (excitation, excitation)]
-    between, *ends = np.abs(_few(k, every, at, 0, scene, few_rows(scene))).max(axis=(0, 2))
+    with_direct = [pair, (response, response), (excitation, excitation)]
+    between, *ends = np.abs(_at_few(k, with_direct, at, 0, scene, few_rows(scene))).max(axis=(0, 2))
     return bool(between <= NOTHING * math.sqrt(ends[0] * ends[1]))
 
 
-def _few(
+def _at_few(
     k: int, pairs: Sequence[tuple[Port, Port]], at: Array, power: int, scene: Scene, rows: Indices
 ) -> Complex:
     """Responses (rows, pairs, f) at few frequencies ``at`` (f,) [Hz]."""
-    return _answered(scene, scene.system_at(k, rows, few=True), pairs, power)(at)
+    return _responses_of(scene, scene.system_at(k, rows, few=True), pairs, power)(at)
 
 
-def _judged(scene: Scene, k: int, frequency: Array) -> Array:
-    """Frequencies at which receptances are compared: some, and those next to the modes."""
-    some = np.unique(np.linspace(0, len(frequency) - 1, min(GRID, len(frequency))).astype(int))
+def _compared(scene: Scene, k: int, frequency: Array) -> Array:
+    """Frequencies [Hz] at which the finer model is compared: a few, and those adjacent to modes."""
+    spread = np.unique(np.linspace(0, len(frequency) - 1, min(GRID, len(frequency))).astype(int))
     motions = scene.system_at(k, few_rows(scene))
     hertz = frequency_of(motions, turning=scene.conditions.formulation == ROTATING)
     inside = hertz[(hertz >= frequency[0]) & (hertz <= frequency[-1])]
     after = np.searchsorted(frequency, inside)
-    near = np.clip(np.concatenate([after - 1, after]), 0, len(frequency) - 1)
-    return frequency[np.unique(np.concatenate([some, near]))]
+    adjacent = np.clip(np.concatenate([after - 1, after]), 0, len(frequency) - 1)
+    return frequency[np.unique(np.concatenate([spread, adjacent]))]
 
 
 def _refuse_unlimited(
     scene: Scene,
-    answered: Answered,
+    responses: Answered,
     motions: FreeMotions,
     frequency: Array,
     values: Complex,
 ) -> None:
-    """Raise InvalidInput where ``values`` (speeds, pairs, frequencies) have no limit: at the pole
-    of a motion without damping, or so slow that a free one's overflow."""
-    lost = np.asarray(~np.isfinite(values).all(axis=1))
-    undamped = _near_poles(motions, frequency)
-    if undamped.any() and not lost.any():
-        near = frequency[undamped]
-        around = [near * (1.0 + apart) for apart in (-BESIDE, BESIDE, -CLOSE, CLOSE)]
-        beside = np.split(np.abs(answered(np.concatenate(around))), len(around), axis=-1)
-        size = np.fmax.reduce([np.abs(values[..., undamped]), *beside[2:]])
-        lost[:, undamped] = (size > HIGHER * np.maximum(*beside[:2])).any(axis=1)
-    if lost.any():
-        row, column = np.argwhere(lost)[0]
+    """Raise InvalidInput where ``values`` (speeds, pairs, frequencies) are unbounded: at the pole
+    of an undamped mode, or at so low a frequency that the rigid-body response overflows."""
+    unbounded = np.asarray(~np.isfinite(values).all(axis=1))
+    on_pole = _near_poles(motions, frequency)
+    if on_pole.any() and not unbounded.any():
+        suspect = frequency[on_pole]
+        around = [suspect * (1.0 + offset) for offset in (-BESIDE, BESIDE, -CLOSE, CLOSE)]
+        neighbours = np.split(np.abs(responses(np.concatenate(around))), len(around), axis=-1)
+        size = np.fmax.reduce([np.abs(values[..., on_pole]), *neighbours[2:]])
+        unbounded[:, on_pole] = (size > HIGHER * np.maximum(*neighbours[:2])).any(axis=1)
+    if unbounded.any():
+        row, column = np.argwhere(unbounded)[0]
         rpm = scene.speed[scene.usable[min(row, len(scene.usable) - 1)]] * RPM.factor
         raise InvalidInput(
             f"frf: the response is unbounded at {frequency[column]:.10g} Hz and {rpm:.6g} rpm, "
@@ -336,13 +337,13 @@ def _refuse_unlimited(
 
 
 def _near_poles(motions: FreeMotions, frequency: Array) -> Flags:
-    """Frequencies (f,) that may lie on the pole of a motion without damping."""
+    """Whether frequencies (f,) [Hz] may lie on the pole of an undamped mode."""
     pole = motions.pole
     with np.errstate(invalid="ignore"):
-        undamped = np.unique(pole.imag[np.abs(pole.real) <= UNDAMPED * np.abs(pole)])
+        poles = np.unique(pole.imag[np.abs(pole.real) <= UNDAMPED * np.abs(pole)])
     omega = 2.0 * math.pi * frequency
-    if not undamped.size:
+    if not poles.size:
         return np.zeros(len(omega), dtype=bool)
-    place = np.searchsorted(undamped, omega)
-    gaps = [np.abs(undamped[np.clip(place + k, 0, len(undamped) - 1)] - omega) for k in (-1, 0)]
-    return np.asarray(np.minimum(*gaps) <= UNDAMPED * omega)
+    place = np.searchsorted(poles, omega)
+    distances = [np.abs(poles[np.clip(place + k, 0, len(poles) - 1)] - omega) for k in (-1, 0)]
+    return np.asarray(np.minimum(*distances) <= UNDAMPED * omega)

@@ -1,4 +1,4 @@
-"""What a case asks of frequency responses, and what was measured of them (SI)."""
+"""Specification of frequency responses, and of measured ones laid over them (SI)."""
 
 from __future__ import annotations
 
@@ -67,12 +67,12 @@ class FrfSpec(Spec):
 
     @property
     def measured_speeds(self) -> tuple[float, ...]:
-        """Of the responses that are laid over [rad/s]."""
+        """Speeds [rad/s] of the measured responses that are laid over."""
         coupled = () if self.measured_spindle is None else self.measured_spindle.responses[:1]
-        return tuple(one.speed for one in (*self.measured, *coupled))
+        return tuple(response.speed for response in (*self.measured, *coupled))
 
     def highest(self, top: float) -> float:
-        """Highest frequency asked for [Hz], where the fastest rotor turns at ``top`` [rad/s]."""
+        """Highest frequency of the responses [Hz]; ``top``: speed of the fastest rotor [rad/s]."""
         order = max(self.engine_orders, default=0.0)
         return max(*self.frequencies[-1:], order * top / (2.0 * math.pi), 0.0)
 
@@ -89,47 +89,47 @@ class FrfSpec(Spec):
         yield from ascending("engine_orders", self.engine_orders)
         yield from ascending("frequencies", self.frequencies)
         yield from ascending("slices", self.slices)
-        known = [f"{response} / {excitation}" for response, excitation in self.pairs]
-        yield from repeated("pairs", ("" if "." in pair[:1] else pair for pair in known))
-        for index, one in enumerate(self.measured):
-            if one.name and one.pair not in known:
-                listed = ", ".join(known)
+        pairs = [f"{response} / {excitation}" for response, excitation in self.pairs]
+        yield from repeated("pairs", ("" if "." in pair[:1] else pair for pair in pairs))
+        for index, entry in enumerate(self.measured):
+            if entry.name and entry.pair not in pairs:
+                listed = ", ".join(pairs)
                 yield (
                     ("measured", index),
-                    f"not a pair of the case: given '{one.pair}'; allowed: {listed}",
+                    f"not a pair of the case: given '{entry.pair}'; allowed: {listed}",
                 )
-            yield from self._in_band(one, index)
+            yield from self._in_band(entry, index)
         yield from named_twice("measured", self.measured)
         yield from self._in_spindle_band()
 
     def _in_spindle_band(self) -> Faults:
-        """Two frequencies, of the case or of the measured spindle, that both bands hold."""
+        """Require two frequencies, of the case or of the measured spindle, within both bands."""
         if self.measured_spindle is None or not self.frequencies:
             return
-        known = self.measured_spindle.responses[0].frequency
-        if not known or known[0] != known[0]:  # a faulty file, which is told
+        measured = self.measured_spindle.responses[0].frequency
+        if not measured or measured[0] != measured[0]:  # a faulty file, reported as such
             return
         low, high = self.frequencies[0], self.frequencies[-1]
-        inside = {f for f in known if low <= f <= high}
-        inside |= {f for f in self.frequencies if known[0] < f < known[-1]}
+        inside = {f for f in measured if low <= f <= high}
+        inside |= {f for f in self.frequencies if measured[0] < f < measured[-1]}
         if len(inside) < 2:
             yield (
                 ("frequencies",),
                 f"fewer than two in the band of measured_spindle: given {low:g} to {high:g} Hz; "
-                f"allowed: at least two from {known[0]:g} to {known[-1]:g} Hz",
+                f"allowed: at least two from {measured[0]:g} to {measured[-1]:g} Hz",
             )
 
-    def _in_band(self, one: MeasuredResponse, index: int) -> Faults:
+    def _in_band(self, entry: MeasuredResponse, index: int) -> Faults:
         if not self.frequencies:
             return
         low, high = self.frequencies[0], self.frequencies[-1]
-        inside = [f for f in one.frequency if not (f < low or f > high)]
-        if one.frequency and len(inside) < 2 and one.frequency[0] == one.frequency[0]:
+        inside = [f for f in entry.frequency if not (f < low or f > high)]
+        if entry.frequency and len(inside) < 2 and entry.frequency[0] == entry.frequency[0]:
             yield (
                 ("measured", index, "file"),
                 "{given}: fewer than two frequencies in the band of the case: given "
-                f"{one.frequency[0]:g} to {one.frequency[-1]:g} Hz; allowed: {low:g} to {high:g} "
-                "Hz",
+                f"{entry.frequency[0]:g} to {entry.frequency[-1]:g} Hz; allowed: {low:g} to "
+                f"{high:g} Hz",
             )
 
     def faults_on(self, setting: Setting) -> Faults:
@@ -143,8 +143,8 @@ class FrfSpec(Spec):
         for index, speed in enumerate(self.slices):
             if not setting.within(speed):
                 yield ("slices", index), "not within the speeds of the case: given {given}"
-        for index, one in enumerate(self.measured):
-            if not setting.within(one.speed):
+        for index, entry in enumerate(self.measured):
+            if not setting.within(entry.speed):
                 yield ("measured", index), "its speed is not within the speeds of the case"
         turning = setting.conditions.formulation == ROTATING
         if turning and self.quantity not in ("", QUANTITIES[0]):
@@ -161,7 +161,7 @@ class FrfSpec(Spec):
             yield from self._coupled(setting)
 
     def _coupled(self, setting: Setting) -> Faults:
-        """The measured spindle takes the tool of the case, whose tip is in a pair."""
+        """Require that the measured spindle takes the tool of the case, and a pair at its tip."""
         if self.measured_spindle is None:
             return
         yield from within(("measured_spindle",), self.measured_spindle.faults_on(setting.spindle))
@@ -185,8 +185,8 @@ class FrfSpec(Spec):
         )
 
     def _pairs(self, setting: Setting) -> Faults:
-        """Points exist; the ends of a pair are in one motion, or in motions that are coupled, as
-        bearings under loads across the axis couple bending and axial motion."""
+        """Require points that exist, and pairs whose ends belong to one motion or to coupled
+        ones, as bearings under transverse loads couple bending and axial motion."""
         spindle = setting.spindle
         coupled = coupled_motions(spindle.supports) | housed_motions(spindle.housings)
         if setting.loaded:

@@ -19,21 +19,21 @@ from rotordyn.scene.hardly_damped import hardly_damped
 PLURAL = {"receptance": "receptances", "mobility": "mobilities", "inertance": "inertances"}
 MOST = 4  # responses listed
 SAME = 1e-6  # of a speed
-NOISY = 0.3  # of a response: so large an error by noise is warned of
+NOISY = 0.3  # of a response: a larger error by noise gives a warning
 
 
 def summary(result: FrequencyResponse) -> list[str]:
     """The highest peak of every pair, of all frequencies and along every engine order; then a line
     per measured response: its highest peaks, the computed ones beside, the FRAC."""
-    words = [_highest(result, pair) for pair in range(min(MOST, len(result.pair)))]
-    words += [
+    entries = [_highest(result, pair) for pair in range(min(MOST, len(result.pair)))]
+    entries += [
         _along(result, row, pair)
         for row in range(min(MOST, len(result.line)))
         for pair in range(min(MOST, len(result.pair)))
     ]
-    known = [unbroken(word) for word in words if word]
-    peaks = [f"peaks      {result.kind}, the highest of each pair: {'; '.join(known)}"]
-    return [*(peaks if known else []), *_measured(result)]
+    listed = [unbroken(word) for word in entries if word]
+    peaks = [f"peaks      {result.kind}, the highest of each pair: {'; '.join(listed)}"]
+    return [*(peaks if listed else []), *_measured(result)]
 
 
 def _highest(result: FrequencyResponse, pair: int) -> str:
@@ -56,12 +56,12 @@ def _along(result: FrequencyResponse, row: int, pair: int) -> str:
         return ""
     place = int(np.nanargmax(size))
     rpm = number(float(at[place]) * RPM.factor, 0)
-    whole = f"{result.pair[pair]} {_size(result, pair, float(size[place]))}"
-    return f"{whole} along {result.line[row]} at {rpm} rpm"
+    value = f"{result.pair[pair]} {_size(result, pair, float(size[place]))}"
+    return f"{value} along {result.line[row]} at {rpm} rpm"
 
 
 def _size(result: FrequencyResponse, pair: int, size: float) -> str:
-    """A value in its printed unit; of displacement over force its inverse as well."""
+    """A value in its printed unit; displacement over force is followed by its inverse."""
     to = shown(result.unit(pair))
     if not math.isfinite(size):
         return "unbounded (no damping)"
@@ -102,8 +102,8 @@ def _line(result: FrequencyResponse, row: int) -> str:
     if not math.isfinite(result.frac[row]):
         return f"{head}: not compared, {_why_not(result, row)}"
     noise = result.measured_error[row]
-    known = f", uncertain by {noise:.1%} by noise" if math.isfinite(noise) else ""
-    return f"{head}: FRAC {result.frac[row]:.3f}{known}{compared}"
+    uncertainty = f", uncertain by {noise:.1%} by noise" if math.isfinite(noise) else ""
+    return f"{head}: FRAC {result.frac[row]:.3f}{uncertainty}{compared}"
 
 
 def _why_not(result: FrequencyResponse, row: int) -> str:
@@ -115,7 +115,7 @@ def _why_not(result: FrequencyResponse, row: int) -> str:
 
 
 def warnings(result: FrequencyResponse) -> list[str]:
-    """Responses less accurate than asked for, measured ones that cannot be compared."""
+    """Warnings of inaccurate responses, of doubtful measured ones, and of light damping."""
     sentences = [
         f"measured response {name} is not compared: {_why_not(result, row)}"
         for row, name in enumerate(result.measured)
@@ -139,12 +139,12 @@ def warnings(result: FrequencyResponse) -> list[str]:
 
 
 def _wide_lines(result: FrequencyResponse) -> Iterator[str]:
-    """Measured peaks of which no more than the highest line is known."""
+    """Warn of measured peaks between lines so wide that only the highest line is known."""
     for name, at, error in zip(
         result.measured, result.measured_peak, result.measured_peak_error, strict=True
     ):
         if (wide := np.isinf(error)).any():
-            peaks = ", ".join(number(each) for each in at[wide])
+            peaks = ", ".join(number(hertz) for hertz in at[wide])
             yield (
                 f"measured response {name}: its lines are too wide for the peaks at {peaks} Hz, "
                 "whose heights are those of the highest lines and may be too low: measure with "
@@ -153,16 +153,16 @@ def _wide_lines(result: FrequencyResponse) -> Iterator[str]:
 
 
 def _driving_points(result: FrequencyResponse) -> Iterator[str]:
-    """Measured responses at driving points that no passive structure has; of a machine that turns,
-    those of which the mistake is known. The tip of a tool on a measured spindle is computed."""
+    """Warn of measured driving-point responses that no passive structure has; of a rotating machine
+    only where the mistake is recognised. Computed tips of coupled tools are exempt."""
     for row, name in enumerate(result.measured):
         response, excitation = result.measured_pair[row].split(" / ")
-        known = np.nan_to_num(result.measured_frequency[row]) > 0.0
+        positive = np.nan_to_num(result.measured_frequency[row]) > 0.0
         computed = math.isfinite(result.measured_error[row])
-        if response != excitation or computed or known.sum() < LEAST_POINTS:
+        if response != excitation or computed or positive.sum() < LEAST_POINTS:
             continue
-        values = result.measured_response[row, known].tolist()
-        omega = (2.0 * math.pi * result.measured_frequency[row, known]).tolist()
+        values = result.measured_response[row, positive].tolist()
+        omega = (2.0 * math.pi * result.measured_frequency[row, positive]).tolist()
         fault = fault_at_driving_point(values, omega, result.kind)
         if fault and not (fault == NO_DRIVING_POINT and result.measured_speed[row] > 0.0):
             words = fault if fault == NO_DRIVING_POINT else misnamed(result.kind)
@@ -170,30 +170,30 @@ def _driving_points(result: FrequencyResponse) -> Iterator[str]:
 
 
 def _hardly_damped(result: FrequencyResponse) -> Iterator[str]:
-    """One sentence where the highest peaks are those of modes that hardly anything damps."""
+    """Warn, in one sentence, where the highest peaks are those of lightly damped modes."""
     light = [pair for pair, mode in enumerate(result.light_mode) if mode]
     for pair in light[:1]:
         row, place = result.highest(pair) or (0, 0)
         ratio = result.peak_damping[row, pair, place]
-        others = f" (and those of {len(light) - 1} more responses)" if len(light) > 1 else ""
-        peak = f"frf: the highest peak of {_highest(result, pair)}{others}"
+        more = f" (and those of {len(light) - 1} more responses)" if len(light) > 1 else ""
+        peak = f"frf: the highest peak of {_highest(result, pair)}{more}"
         yield hardly_damped(peak, result.light_mode[pair], float(ratio))
 
 
 def speeds_compared(result: FrequencyResponse, row: int) -> str:
     """The speed of a measured response, and that of the computed one where it is another."""
     measured = float(result.measured_speed[row])
-    near = float(result.speed[np.abs(result.speed - measured).argmin()])
-    rpm, other = (number(speed * RPM.factor, 0) for speed in (measured, near))
-    same = abs(near - measured) <= SAME * max(near, measured)
+    computed = float(result.speed[np.abs(result.speed - measured).argmin()])
+    rpm, other = (number(speed * RPM.factor, 0) for speed in (measured, computed))
+    same = abs(computed - measured) <= SAME * max(computed, measured)
     return f"{rpm} rpm" if same else f"{rpm} rpm, computed at {other} rpm"
 
 
 def numbers(result: FrequencyResponse, _: Described) -> Iterator[Number]:
     """FRAC (frequency response assurance criterion) of every measured response."""
     for row, name in enumerate(result.measured):
-        named = f"{name} at {speeds_compared(result, row)}"
-        yield Number(named, "", float(result.frac[row]), digits=3, absent="–")
+        label = f"{name} at {speeds_compared(result, row)}"
+        yield Number(label, "", float(result.frac[row]), digits=3, absent="–")
 
 
 def accuracy(result: FrequencyResponse) -> list[str]:

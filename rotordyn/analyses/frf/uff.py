@@ -1,7 +1,7 @@
 """Frequency responses in the Universal File Format, through ``pyuff``.
 
 A record of units (type 164: SI), the points as nodes on the axis of the rotor (type 2411), then one
-function (type 58) per slice speed and pair. The format knows ASCII alone.
+function (type 58) per slice speed and pair. The format allows ASCII only.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ _FREQUENCY, _FORCE, _RPM = 18, 13, 19
 
 
 class Motion(NamedTuple):
-    """What the response of a kind is: code of the format, name, unit past metre or radian."""
+    """Motion of a kind of response: code of the format, name, unit after metre or radian."""
 
     code: int
     name: str
@@ -96,17 +96,17 @@ def write_uff(
         if sets:
             pyuff.UFF(str(path)).write_sets([_UNITS, _nodes(places), *sets], "add")
     if sets and binary:
-        _say_true_sizes(path, sets)
+        _correct_sizes(path, sets)
     return len(sets)
 
 
-def _say_true_sizes(path: Path, sets: Sequence[Mapping[str, Any]]) -> None:
-    """Bytes of data in the heads of binary records: ``pyuff`` says those of one real number per
-    point, and readers that go by them would lose the rest."""
+def _correct_sizes(path: Path, sets: Sequence[Mapping[str, Any]]) -> None:
+    """Correct the byte counts in the heads of binary records: ``pyuff`` writes those of one real
+    number per point, and readers that rely on them would lose the rest."""
     content, at = bytearray(path.read_bytes()), 0
-    for each in sets:
+    for data_set in sets:
         at = content.index(b"    58b", at)
-        size = each["num_pts"] * (16 if each["abscissa_spacing"] else 24)
+        size = data_set["num_pts"] * (16 if data_set["abscissa_spacing"] else 24)
         content[at + 31 : at + 43] = b"%12d" % size
         for _ in range(HEAD):
             at = content.index(b"\n", at) + 1
@@ -180,7 +180,7 @@ def _record(
 
 
 def _even_step(frequency: NDArray[np.float64]) -> float:
-    """The step of an even axis [Hz]; 0 where the six digits of the header would bend it."""
+    """Step of an even axis [Hz]; 0 where the six digits of the header do not reproduce it."""
     if frequency.size < 2:
         return 0.0
     first, step = (float(f"{v:.5e}") for v in (frequency[0], frequency[1] - frequency[0]))

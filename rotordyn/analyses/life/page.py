@@ -1,4 +1,4 @@
-"""What a page shows of it: life, safety, heat and film of every bearing."""
+"""Blocks of a page: life, safety, heat and film of every bearing."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from rotordyn.results.display import RPM, number
 
 
 def page(spec: Any, variants: Sequence[Shown]) -> Iterator[Block]:
-    """A row for every bearing; life and heat over speed."""
+    """Table with a row per bearing; curves of life and heat over speed."""
     for variant in variants:
         yield from _table(variant, named=len(variants) > 1)
     yield from curve_charts(headline_curves, spec, variants)
@@ -25,10 +25,10 @@ def page(spec: Any, variants: Sequence[Shown]) -> Iterator[Block]:
 
 def _table(variant: Shown, *, named: bool) -> Iterator[Table]:
     result: LifeResult = variant.result
-    good = [k for k, word in enumerate(result.outcome) if not word]
-    if not good:
+    solved = [k for k, word in enumerate(result.outcome) if not word]
+    if not solved:
         return
-    last, rows = good[-1], []
+    last, rows = solved[-1], []
     lubricated = bool(np.isfinite(result.viscosity))
     heads = [BEARING, "life L10r [h]", "least static safety S0"]
     heads += ["modified life [h]", "friction [N·mm]", "heat [W]", "film [nm]"] if lubricated else []

@@ -1,4 +1,4 @@
-"""What is answered of the life and heat of bearings."""
+"""Result: life and heat of bearings over speed."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class LifeResult:
     of the bearings, the oil has that of the balls. ``cage`` … ``ball``: defect frequencies over
     that of the spindle; ``ball``: turns of a ball, whose defect strikes twice. ``ring_stress``:
     largest stress of the fitted inner ring after Tresca, NaN without a fit.
-    ``reliability``, ``target``: as the case asks.
+    ``reliability``, ``target``: as specified.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")

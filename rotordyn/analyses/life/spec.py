@@ -1,4 +1,4 @@
-"""What a case asks of the life and heat of its bearings (SI; temperatures in °C)."""
+"""Specification of the life and heat of bearings (SI; temperatures in °C)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Life and heat of bearings in a few lines of text, and what is wrong with them."""
+"""Life and heat of bearings in a few lines of text, and warnings."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ from rotordyn.results.headline import Number, each_speed
 from rotordyn.results.text import from_to, unbroken, which_of
 
 Array = NDArray[np.float64]
-LONG = 1e6  # h, more than anybody waits for
+LONG = 1e6  # h, beyond which no life is printed
 SAFE = 1e3  # of S0, next to no load
 LIGHT = 0.01  # GPa
-LEAST_KAPPA = 0.1  # below, ISO 281 knows no modified life
+LEAST_KAPPA = 0.1  # below it ISO 281 gives no modified life
 
 
 def summary(result: LifeResult) -> list[str]:
@@ -34,7 +34,7 @@ def summary(result: LifeResult) -> list[str]:
     if all(result.outcome):
         return []
     rpm = result.speed[_last(result)] * RPM.factor
-    lines = [f"life       L10r at {rpm:.0f} rpm [h] {_each(result, result.life / HOUR, hours)}"]
+    lines = [f"life       L10r at {rpm:.0f} rpm [h] {_listed(result, result.life / HOUR, hours)}"]
     lines[0] += f"; set {hours(result.set_life[_last(result)] / HOUR)}"
     if not np.isnan(result.spectrum_life).all():
         lives = ", ".join(
@@ -49,7 +49,8 @@ def summary(result: LifeResult) -> list[str]:
         steep = ", ".join(result.bearing[k] for k in np.flatnonzero(unmodified(result)))
         grade = f"{100.0 * result.reliability:g} %"
         lines.append(
-            f"modified   life of {grade} [h] {_each(result, result.modified_life / HOUR, hours)}; "
+            f"modified   life of {grade} [h] "
+            f"{_listed(result, result.modified_life / HOUR, hours)}; "
             f"κ {_range(result.viscosity_ratio[_last(result)], 2)}, film "
             f"{_range(result.film[_last(result)] * 1e9, 0)} nm"
             + (f"; of {steep} none: a_ISO is not known above 45°" if steep else "")
@@ -83,30 +84,32 @@ def summary(result: LifeResult) -> list[str]:
 
 
 def _static(result: LifeResult) -> str:
-    """C0 and Cu of every bearing, whose they are, and where C is given and C0 is not."""
+    """C0 and Cu of every bearing, their origin, and bearings of which C is given and C0 is not."""
     groups: dict[str, list[str]] = {}
-    alone = []
+    lacking = []
     for k, name in enumerate(result.bearing):
         used, grooves = result.static_rating[k], result.groove_static_rating[k]
         of = "of the grooves" if used == grooves else "as given"
-        words = f"{used:.0f} {of} (Cu {result.fatigue_limit[k]:.0f})"
-        groups.setdefault(words, []).append(name)
+        rating = f"{used:.0f} {of} (Cu {result.fatigue_limit[k]:.0f})"
+        groups.setdefault(rating, []).append(name)
         if used == grooves and result.dynamic_rating[k] != result.groove_rating[k]:
-            alone.append(name)
-    said = ", ".join(unbroken(f"{'/'.join(names)} {words}") for words, names in groups.items())
-    missing = f"; {', '.join(alone)}: C is given and C0 is not (static_ratings)" if alone else ""
-    return f"C0 [N] {said}{missing}"
+            lacking.append(name)
+    entries = ", ".join(unbroken(f"{'/'.join(names)} {rating}") for rating, names in groups.items())
+    missing = (
+        f"; {', '.join(lacking)}: C is given and C0 is not (static_ratings)" if lacking else ""
+    )
+    return f"C0 [N] {entries}{missing}"
 
 
 def unmodified(result: LifeResult) -> NDArray[np.bool_]:
-    """Of which bearings a_ISO is not known, as of thrust bearings, whatever κ is (bearings,)."""
-    thick = result.viscosity_ratio >= LEAST_KAPPA
-    known = thick & np.isfinite(result.equivalent_load)
-    return np.asarray(known.any(axis=0) & np.isnan(result.life_factor).all(axis=0))
+    """Bearings (bearings,) of which a_ISO is not known at any κ, such as thrust bearings."""
+    sufficient = result.viscosity_ratio >= LEAST_KAPPA
+    expected = sufficient & np.isfinite(result.equivalent_load)
+    return np.asarray(expected.any(axis=0) & np.isnan(result.life_factor).all(axis=0))
 
 
 def hours(value: float) -> str:
-    """Hours in three digits.
+    """Hours as text, in three digits.
 
     >>> hours(79320.4), hours(4.2e6), hours(float("inf"))
     ('79300', '> 1e6', '> 1e6')
@@ -117,7 +120,7 @@ def hours(value: float) -> str:
 
 
 def safe(value: float) -> str:
-    """The least static safety.
+    """The least static safety as text.
 
     >>> safe(2.459), safe(1.07e10), safe(float("inf"))
     ('from 2.46', '> 1000', '> 1000')
@@ -126,12 +129,12 @@ def safe(value: float) -> str:
 
 
 def _last(result: LifeResult) -> int:
-    """The last speed with a state."""
+    """Index of the last speed with a state."""
     return max(k for k, word in enumerate(result.outcome) if not word)
 
 
-def _each(result: LifeResult, values: Array, written: Callable[[float], str]) -> str:
-    """The value of every bearing at the last speed; bearings alike named together."""
+def _listed(result: LifeResult, values: Array, written: Callable[[float], str]) -> str:
+    """Value of every bearing at the last speed; bearings of equal values are grouped."""
     groups: dict[str, list[str]] = {}
     for name, value in zip(result.bearing, values[_last(result)], strict=True):
         groups.setdefault(written(float(value)), []).append(name)
@@ -139,11 +142,11 @@ def _each(result: LifeResult, values: Array, written: Callable[[float], str]) ->
 
 
 def _over_speed(result: LifeResult, values: Array) -> str:
-    """The value of every bearing over speed; bearings alike named together."""
+    """Value of every bearing over speed; bearings of equal values are grouped."""
     groups: dict[str, list[str]] = {}
-    known = [k for k, word in enumerate(result.outcome) if not word]
+    solved = [k for k, word in enumerate(result.outcome) if not word]
     for name, column in zip(result.bearing, values.T, strict=True):
-        groups.setdefault(from_to(column[known], 0), []).append(name)
+        groups.setdefault(from_to(column[solved], 0), []).append(name)
     return ", ".join(unbroken(f"{'/'.join(names)} {word}") for word, names in groups.items())
 
 
@@ -169,7 +172,7 @@ def numbers(result: LifeResult, _: Described) -> Iterator[Number]:
 
 
 def warnings(result: LifeResult) -> list[str]:
-    """A sentence with its remedy for whatever leaves the range of a formula or a limit."""
+    """A sentence with its remedy for every value beyond a limit or the range of a formula."""
     sentences: dict[str, list[str]] = {}
     for k, name in enumerate(result.bearing):
         for sentence in _of_bearing(result, k):
@@ -189,10 +192,10 @@ def _of_bearing(result: LifeResult, k: int) -> Iterator[str]:
     passing = result.shoulder_margin[:, k] < 0.0
     if passing.any():
         margin = -np.nanmin(result.shoulder_margin[:, k]) * DEGREE.factor
-        lost = percent(np.nanmax(result.lost_load[:, k]))
+        share = percent(np.nanmax(result.lost_load[:, k]))
         yield (
             f"a contact ellipse passes the shoulder by {margin:.2g}° "
-            f"{which_of(result.speed, passing)}, with {lost} of its load; lower the load or raise "
+            f"{which_of(result.speed, passing)}, with {share} of its load; lower the load or raise "
             "the shoulder"
         )
     turning = result.speed > 0.0

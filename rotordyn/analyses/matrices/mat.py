@@ -15,19 +15,19 @@ from rotordyn.results.described import Described
 
 
 def files(folder: Path, case: Described, result: MatricesResult) -> Iterator[File]:
-    """``matrices.mat``."""
+    """The file ``matrices.mat``."""
     path = folder / "matrices.mat"
     yield path.name, partial(write_mat, path, result, case.name)
 
 
 def write_mat(path: Path, result: MatricesResult, case: str) -> None:
-    """M, K, C, G, L, the speeds [rad/s] and the names of the ports, in SI; the speed is the last
-    dimension of K and C, so that ``K(:,:,k)`` is that of one."""
+    """Write M, K, C, G, L, the speeds [rad/s] and the names of the ports, in SI; the speed is the
+    last dimension of K and C: ``K(:,:,k)``."""
     from scipy.io import savemat
 
     names = np.empty(len(result.port), dtype=object)
-    names[:] = [plain(each) for each in result.port]
-    held = {
+    names[:] = [plain(port) for port in result.port]
+    variables = {
         "M": np.eye(len(result.column)),
         "K": np.moveaxis(result.stiffness, 0, -1),
         "C": np.moveaxis(result.damping, 0, -1),
@@ -37,4 +37,4 @@ def write_mat(path: Path, result: MatricesResult, case: str) -> None:
         "ports": names,
         "title": f"case {plain(case)}: M q'' + C q' + K q = L' f, u = L q, SI, by rotordyn",
     }
-    savemat(path, held, do_compression=True, oned_as="column")
+    savemat(path, variables, do_compression=True, oned_as="column")

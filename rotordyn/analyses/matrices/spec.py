@@ -1,4 +1,4 @@
-"""What a case asks of the equation of motion for other programs (SI)."""
+"""Specification of the matrices of the equation of motion, for other programs (SI)."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ from rotordyn.scene.refinement import RESPONSES
 
 
 def summary(result: MatricesResult) -> list[str]:
-    """How many coordinates and ports they have, and at how many speeds there are any."""
+    """Number of coordinates, ports and solved speeds of the matrices."""
     count, ports, speeds = len(result.column), len(result.port), result.outcome.count("")
     return [
         f"matrices   {count} coordinates with mass 1, for frequencies up to "
@@ -34,14 +34,14 @@ def numbers(result: MatricesResult, _: Described) -> Iterator[Number]:
 
 
 def accuracy(result: MatricesResult) -> list[str]:
-    """Estimated errors of the poles, and of receptances beside them."""
+    """Estimated error of the poles; none without error checks."""
     if math.isnan(result.frequency_error):
         return []
     return [f"frequencies of the matrices within {rounded_up(result.frequency_error)}"]
 
 
 def warnings(result: MatricesResult) -> list[str]:
-    """That the accuracy asked for is not reached."""
+    """Warning that the requested accuracy is not reached."""
     worst = max(RESPONSES * result.frequency_error, result.receptance_error)
     if not worst > result.error_asked:
         return []

@@ -1,4 +1,4 @@
-"""What may be compared of the preload state."""
+"""Values of the preload state for comparison with references."""
 
 from __future__ import annotations
 
@@ -19,17 +19,17 @@ def preload_sum(result: PreloadResult, spindle: Spindle) -> Array:
     carried = {name for sleeve in spindle.sleeves for name in sleeve.bearings}
     if not carried:
         return np.asarray(np.abs(result.axial_load).sum(axis=1) / 2.0)
-    chosen = [result.bearing.index(name) for name in result.bearing if name in carried]
-    return np.asarray(result.axial_load[:, chosen].sum(axis=1))
+    on_sleeves = [result.bearing.index(name) for name in result.bearing if name in carried]
+    return np.asarray(result.axial_load[:, on_sleeves].sum(axis=1))
 
 
 def sum_words(spindle: Spindle) -> str:
-    """What ``preload_sum`` is of, in a few words."""
+    """Name of ``preload_sum``: on sleeves, or in either direction."""
     return "sum of preloads " + ("on sleeves" if spindle.sleeves else "either way")
 
 
 def known(reference: Reference, result: PreloadResult, spindle: Spindle | None) -> Array | None:
-    """Values beside a reference at its speeds, NaN without one; None for other quantities."""
+    """Computed values at the speeds of a reference, NaN without one; None for other quantities."""
     speeds = np.asarray(reference.speeds, float)
     if reference.quantity == "preload_sum" and spindle is not None:
         return at_speeds(speeds, result.speed, preload_sum(result, spindle))

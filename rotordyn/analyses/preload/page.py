@@ -1,4 +1,4 @@
-"""What a page shows of it: loads, pressure and contact of every bearing."""
+"""Blocks of a page: loads, pressure and contact of every bearing."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _FIELDS = (
 
 
 def page(spec: Any, variants: Sequence[Shown]) -> Iterator[Block]:
-    """A row for every bearing; of one machine its loads over speed, of several what they share."""
+    """Table with a row per bearing; curves over speed, of a single machine also by bearing."""
     for variant in variants:
         yield from _table(variant, named=len(variants) > 1)
     yield from curve_charts(headline_curves, spec, variants)
@@ -43,11 +43,11 @@ def _by_bearing(_: Any, variant: Shown) -> Iterator[Curve]:
 
 def _table(variant: Shown, *, named: bool) -> Iterator[Table]:
     result: PreloadResult = variant.result
-    good = [k for k, word in enumerate(result.outcome) if not word]
-    if not result.bearing or not good:
+    solved = [k for k, word in enumerate(result.outcome) if not word]
+    if not result.bearing or not solved:
         return
     ends = " → ".join(
-        dict.fromkeys(f"{result.speed[k] * RPM.factor:.0f}" for k in (good[0], good[-1]))
+        dict.fromkeys(f"{result.speed[k] * RPM.factor:.0f}" for k in (solved[0], solved[-1]))
     )
     columns: list[tuple[str, Array, int]] = [
         ("axial load [N]", result.axial_load, 0),
@@ -61,7 +61,7 @@ def _table(variant: Shown, *, named: bool) -> Iterator[Table]:
     rows = [
         [
             name,
-            *(from_to(values[good, k], digits) for _, values, digits in columns),
+            *(from_to(values[solved, k], digits) for _, values, digits in columns),
             f"{np.nanmax(pressure[:, k]):.2f}",
             f"{np.nanmax(result.speed_factor[:, k]) / 1e6:.2f} · 10⁶",
         ]

@@ -1,4 +1,4 @@
-"""Bearings at work in a machine."""
+"""Result: the dynamic preload state of bearings, springs and stops."""
 
 from __future__ import annotations
 

@@ -23,9 +23,9 @@ Array = NDArray[np.float64]
 
 
 def answer(scene: Scene, spec: PreloadSpec) -> PreloadResult:
-    """The preload table: one row per speed and bearing, of the ball that is loaded most."""
-    state, rows, shown = scene.preload, scene.bearing_row, scene.solved_only
-    good = np.array([word == "" for word in scene.outcome])
+    """The preload state over speeds and bearings; of the balls, that of the largest load."""
+    state, rows, solved_only = scene.preload, scene.bearing_row, scene.solved_only
+    solved = np.array([word == "" for word in scene.outcome])
 
     seats = state.seat_states()
     heaviest = [_heaviest(s, column) for s, column in seats]
@@ -35,7 +35,7 @@ def answer(scene: Scene, spec: PreloadSpec) -> PreloadResult:
             [getattr(s, name)[:, c][at] for (s, c), at in zip(seats, heaviest, strict=True)], axis=1
         )
 
-    balls = {name: shown(of_heaviest(name)) for name in BALL_QUANTITIES}
+    balls = {name: solved_only(of_heaviest(name)) for name in BALL_QUANTITIES}
     slips = of_heaviest("slipping")[rows]
     pitch = np.array([seat.bearing.pitch_diameter for seat in scene.spindle.seats])
     factor = np.outer(scene.speed * RPM.factor, pitch * 1e3)
@@ -47,44 +47,44 @@ def answer(scene: Scene, spec: PreloadSpec) -> PreloadResult:
         dof=DOFS,
         dof_other=DOFS,
         outcome=scene.outcome,
-        axial_load=shown(state.seat_load()),
+        axial_load=solved_only(state.seat_load()),
         mounted_load=state.mounted_load(),
         mounted_preload=np.array([p.preload for p in state.network.arrangement.pushes]),
         ring_offset=np.array([_offset(state, k) for k in range(len(state.spindle.sleeves))]),
-        deflection=shown(np.stack([s.displacement[:, c, 0] for s, c in seats], axis=1)),
-        stiffness=shown(state.seat_stiffness()),
-        slipping=np.where(good[:, None], slips, ""),
-        growth=shown(state.seat_growth()),
-        film_growth=shown(_by_films(state)),
+        deflection=solved_only(np.stack([s.displacement[:, c, 0] for s, c in seats], axis=1)),
+        stiffness=solved_only(state.seat_stiffness()),
+        slipping=np.where(solved[:, None], slips, ""),
+        growth=solved_only(state.seat_growth()),
+        film_growth=solved_only(_film_growth(state)),
         speed_factor=factor,
-        position=shown(state.shift),
-        spring_force=shown(state.spring_force),
-        stop_force=shown(state.stop_force),
-        friction_force=shown(state.friction_force),
+        position=solved_only(state.shift),
+        spring_force=solved_only(state.spring_force),
+        stop_force=solved_only(state.stop_force),
+        friction_force=solved_only(state.friction_force),
         friction_limit=state.rubs[SHAFT + 1 :],
-        stop_reached=state.stopped[rows] & good[:, None],
+        stop_reached=state.stopped[rows] & solved[:, None],
         stop_speed=scene.stop_speeds,
         **balls,
     )
 
 
 def _heaviest(state: BearingState, column: int) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """Of values (speeds, balls) of a bearing those of the ball with the largest load on its inner
-    race (speeds,); without loads across the axis all balls are alike."""
+    """Indices, into values (speeds, balls) of a bearing, of the ball with the largest load on its
+    inner race (speeds,); without transverse loads all balls are equal."""
     ball = np.nan_to_num(state.inner_load[:, column]).argmax(axis=1)
     return np.arange(len(ball)), ball
 
 
-def _by_films(state: PreloadState) -> Array:
-    """Growth in that of the rings which films stand for (speeds, seats) [m]."""
+def _film_growth(state: PreloadState) -> Array:
+    """Part of the ring growth that represents oil films (speeds, seats) [m]."""
     if state.films is None:
         return np.zeros((len(state.speed), len(state.spindle.seats)))
     return state.films.at(state.speed)[0]
 
 
 def _offset(state: PreloadState, k: int) -> float:
-    """Axial offset of the free rings of a locked set [m]; NaN of a sprung sleeve, and where nothing
-    in the housing faces its bearings."""
+    """Axial offset of the free rings of a locked set [m]; NaN for a sprung sleeve, and where
+    nothing in the housing faces its bearings."""
     sleeve, push = state.spindle.sleeves[k], state.network.arrangement.pushes[k]
     if not rigid(push):
         return math.nan

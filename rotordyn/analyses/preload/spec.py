@@ -1,4 +1,4 @@
-"""What a case asks of the preload state."""
+"""Specification of the preload analysis."""
 
 from __future__ import annotations
 

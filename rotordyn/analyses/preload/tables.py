@@ -1,4 +1,4 @@
-"""How its result is laid out in tables."""
+"""Layouts of the tables of the preload state."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """Stresses of the hollow circular section at its outer fibre (Timoshenko, Strength of Materials).
 
-The shear stress of Ty and Tz vanishes where that of bending is largest and is left out.
+The shear stress of Ty and Tz vanishes where that of bending is largest and is neglected.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import numpy as np
 from rotordyn.arrays import Array
 from rotordyn.machine.cross_section import area, second_moment
 
-ROUNDING = 1e-9  # of the bending stress: an axial stress with less decides no sign
+ROUNDING = 1e-9  # of the bending stress: a smaller axial stress does not decide the sign
 
 
 class Stress(NamedTuple):
@@ -26,8 +26,8 @@ class Stress(NamedTuple):
     def normal(self) -> Array:
         """Largest normal stress at the outer fibre, by amount, with its sign [Pa]; in pure bending
         that of tension."""
-        pressed = self.axial < -ROUNDING * self.bending
-        return np.asarray(np.where(pressed, -1.0, 1.0) * (abs(self.axial) + self.bending))
+        compressed = self.axial < -ROUNDING * self.bending
+        return np.asarray(np.where(compressed, -1.0, 1.0) * (abs(self.axial) + self.bending))
 
     @property
     def von_mises(self) -> Array:

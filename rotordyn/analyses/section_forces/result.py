@@ -17,9 +17,9 @@ class SectionForcesResult:
     ``cut``: both ends of every element, so that a station with a point load comes twice, just in
     front of it and just behind. Section forces are those that the part behind a cut puts on the
     part in front. Stresses are at the outer fibre. ``reaction``: load of a bearing or support on
-    the shaft. ``departure``: how far what a bearing's law adds to its load there differs from what
-    its tangent adds, over the latter. ``required_diameter``: of a uniform shaft with ``bore`` that
-    just keeps to ``allowed_twist``.
+    the shaft. ``departure``: difference between the increments of a bearing's load by its law and
+    by its tangent, over the latter. ``required_diameter``: of a uniform shaft with ``bore`` whose
+    twist is ``allowed_twist``.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")

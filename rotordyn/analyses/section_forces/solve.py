@@ -1,7 +1,7 @@
 """Section forces, elastic line, stress and twist of the shaft under static loads.
 
 Bearings are linear springs about their preload state, whose axial force acts on the bent shaft.
-What that state puts on the shaft along its axis is part of N and of the reactions.
+Axial forces of that state are part of N and of the reactions.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ COMPONENTS = ("Fx", "Fy", "Fz", "Mx", "My", "Mz")
 
 
 def answer(scene: Scene, spec: SectionForcesSpec) -> SectionForcesResult:
-    """At every speed with a solution.
+    """Section forces, elastic line, stress and twist at every speed with a solution.
 
     Raises
     ------
@@ -39,30 +39,30 @@ def answer(scene: Scene, spec: SectionForcesSpec) -> SectionForcesResult:
     speed = scene.speed[scene.usable]
     point = loads.point + (speed**2)[:, None, None] * loads.turning
     rest = at_rest(scene, mesh, point, loads.line)
-    forces, moved, push = rest.forces, rest.moved, rest.push
-    both = np.stack([forces.front, forces.rear], axis=-2)
-    apart = np.full((len(both), len(spindle.connections)), np.nan)
+    forces, displacement, push = rest.forces, rest.moved, rest.push
+    at_ends = np.stack([forces.front, forces.rear], axis=-2)
+    departures = np.full((len(at_ends), len(spindle.connections)), np.nan)
     if spindle.seats:
         seats = len(spindle.seats)
-        apart[:, :seats] = departure(scene, moved_by(scene, -push[:, :seats]))
-        both[..., 0] += _preloaded(scene, mesh)
+        departures[:, :seats] = departure(scene, moved_by(scene, -push[:, :seats]))
+        at_ends[..., 0] += _preloaded(scene, mesh)
         push = push + _preload_push(scene)
-    cut = scene.scattered(both.reshape(len(both), -1, 6))
-    ends = np.stack([moved[:, :-1] + rest.apart, moved[:, 1:]], axis=2)
-    line = scene.scattered(ends.reshape(len(moved), -1, 6))
-    outer, inner = (each.T.ravel() for each in (mesh.outer, mesh.inner))
+    cut = scene.scattered(at_ends.reshape(len(at_ends), -1, 6))
+    ends = np.stack([displacement[:, :-1] + rest.apart, displacement[:, 1:]], axis=2)
+    line = scene.scattered(ends.reshape(len(displacement), -1, 6))
+    outer, inner = (diameter.T.ravel() for diameter in (mesh.outer, mesh.inner))
     stress = outer_fibre(cut, outer, inner)
-    held = [(each.name, each.x) for each in spindle.connections]
+    supports = [(support.name, support.x) for support in spindle.connections]
     spans = [_span(limit, spindle, mesh) for limit in spec.twist_limits]
-    turned = [ends[:, span.stop - 1, 1, 3] - ends[:, span.start, 0, 3] for span in spans]
-    needed = [
-        _required_diameter(limit, mesh, both, span)
+    twists = [ends[:, span.stop - 1, 1, 3] - ends[:, span.start, 0, 3] for span in spans]
+    required = [
+        _required_diameter(limit, mesh, at_ends, span)
         for limit, span in zip(spec.twist_limits, spans, strict=True)
     ]
     return SectionForcesResult(
         speed=scene.speed,
         cut=np.stack([mesh.x[:-1], mesh.x[1:]], axis=1).ravel(),
-        support=tuple(name for name, _ in held),
+        support=tuple(name for name, _ in supports),
         component=COMPONENTS,
         twist_limit=tuple(limit.called for limit in spec.twist_limits),
         outcome=scene.outcome,
@@ -83,13 +83,13 @@ def answer(scene: Scene, spec: SectionForcesSpec) -> SectionForcesResult:
         normal_stress=stress.normal,
         torsion_stress=stress.torsion,
         von_mises_stress=stress.von_mises,
-        support_station=np.array([x for _, x in held]),
+        support_station=np.array([x for _, x in supports]),
         reaction=scene.scattered(push),
-        departure=scene.scattered(apart),
+        departure=scene.scattered(departures),
         allowed_twist=np.array([limit.limit for limit in spec.twist_limits]),
         bore=np.array([limit.bore for limit in spec.twist_limits]),
-        twist_between=scene.scattered(np.reshape(turned, (-1, len(both))).T),
-        required_diameter=scene.scattered(np.reshape(needed, (-1, len(both))).T),
+        twist_between=scene.scattered(np.reshape(twists, (-1, len(at_ends))).T),
+        required_diameter=scene.scattered(np.reshape(required, (-1, len(at_ends))).T),
     )
 
 
@@ -98,12 +98,13 @@ def _preloaded(scene: Scene, mesh: Mesh) -> Array:
     rows = scene.bearing_row[scene.usable]
     middle = scene.shaft_force.at(mesh.middle)[rows]
     edges = np.stack([mesh.x[:-1], mesh.middle, mesh.x[1:]])
+    # N changes by the weight along the axis between the middle of an element and its ends
     front, half, rear = scene.gravity * mass_in_front(scene.spindle.shaft, edges)
     return np.stack([middle + (half - front), middle - (rear - half)], axis=-1)
 
 
 def _preload_push(scene: Scene) -> Array:
-    """What bearings and supports do to the shaft in the preload state (usable, k, 6) [N, N·m]."""
+    """Loads of bearings and supports on the shaft in the preload state (usable, k, 6) [N, N·m]."""
     spindle, push = scene.spindle, scene.shaft_force.push[scene.bearing_row[scene.usable]]
     force = np.zeros((len(push), len(spindle.connections), 6))
     elastic = len(spindle.seats) + len(spindle.supports)
@@ -119,9 +120,9 @@ def _span(limit: TwistLimit, spindle: Spindle, mesh: Mesh) -> slice:
 
 
 def _required_diameter(limit: TwistLimit, mesh: Mesh, forces: Array, span: slice) -> Array:
-    """Outer diameter of a uniform shaft that just keeps to ``limit`` (usable,) [m].
+    """Outer diameter of a uniform shaft whose twist is ``limit`` (usable,) [m].
 
-    D⁴ = d⁴ + 32 |∫ Mt/G dx| / (π θ), whatever stands in the case.
+    D⁴ = d⁴ + 32 |∫ Mt/G dx| / (π θ), regardless of the diameters in the case.
     """
-    turned = (forces[:, span, 0, 3] * (mesh.length / mesh.shear_modulus)[span]).sum(axis=1)
-    return np.asarray((limit.bore**4 + 32.0 / math.pi * np.abs(turned) / limit.limit) ** 0.25)
+    integral = (forces[:, span, 0, 3] * (mesh.length / mesh.shear_modulus)[span]).sum(axis=1)
+    return np.asarray((limit.bore**4 + 32.0 / math.pi * np.abs(integral) / limit.limit) ** 0.25)

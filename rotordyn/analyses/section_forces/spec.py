@@ -1,4 +1,4 @@
-"""What a case asks of the shaft at rest under static loads (SI)."""
+"""Specification of section forces of the shaft at rest under static loads (SI)."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class SectionForcesSpec(Spec):
     ] = ()
 
     def _faults(self) -> Faults:
-        yield from repeated("twist_limits", (each.called for each in self.twist_limits))
+        yield from repeated("twist_limits", (limit.called for limit in self.twist_limits))
 
     def faults_on(self, setting: Setting) -> Faults:
         spindle, conditions = setting.spindle, setting.conditions
@@ -48,8 +48,8 @@ class SectionForcesSpec(Spec):
                 "seats",
             )
         weighed = any(word not in ("", "none") for word in (self.gravity, conditions.gravity))
-        besides = spindle.seats or spindle.drawbar or conditions.axial_force or conditions.tension
-        if not (self.loads or self.line_loads or self.unbalances or weighed or besides):
+        acting = spindle.seats or spindle.drawbar or conditions.axial_force or conditions.tension
+        if not (self.loads or self.line_loads or self.unbalances or weighed or acting):
             yield (
                 (),
                 "nothing acts: allowed: at least one of loads, line_loads, unbalances, gravity",
@@ -72,7 +72,7 @@ class SectionForcesSpec(Spec):
             )
 
     def last_faults_on(self, setting: Setting) -> Faults:
-        """The shaft is no free body under its loads, and held no more often than it can."""
+        """Require that the shaft is no free body under its loads, and reactions are determined."""
         from rotordyn.analyses.section_forces.static_loads import require_held
 
         if faults := [*held_twice(setting)]:
@@ -85,11 +85,11 @@ class SectionForcesSpec(Spec):
 
     @property
     def places(self) -> tuple[str | float, ...]:
-        """Points and stations at which something acts or is asked for."""
-        named = [load.at for load in self.loads] + [load.at for load in self.unbalances]
-        named += [at for span in self.line_loads for at in (span.start, span.to)]
-        named += [at for span in self.twist_limits for at in (span.start, span.to)]
-        return tuple(named)
+        """Points and stations at which loads act or twist is evaluated."""
+        places = [load.at for load in self.loads] + [load.at for load in self.unbalances]
+        places += [at for span in self.line_loads for at in (span.start, span.to)]
+        places += [at for span in self.twist_limits for at in (span.start, span.to)]
+        return tuple(places)
 
 
 def _of_one_part(limit: TwistLimit, spindle: Spindle, path: Path) -> Faults:

@@ -1,4 +1,4 @@
-"""The loads of a static question on the nodes and elements of a shaft, and whether they balance."""
+"""Static loads on the nodes and elements of a shaft, and whether they balance."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ from rotordyn.scene.conditions import Conditions
 
 @dataclass(frozen=True, eq=False, slots=True)
 class StaticLoads:
-    """``point`` (nodes, 6) [N, N·m] and ``line`` (elements, 2, 3) [N/m], at both ends of each
-    element and straight in between; ``turning`` (nodes, 6) per unit of Ω² [kg·m]."""
+    """Loads ``point`` (nodes, 6) [N, N·m] and ``line`` (elements, 2, 3) [N/m], at both ends of each
+    element and linear in between; ``turning`` (nodes, 6) per unit of Ω² [kg·m]."""
 
     point: Array
     turning: Array
@@ -30,7 +30,7 @@ class StaticLoads:
 def loaded_mesh(
     spindle: Spindle, spec: SectionForcesSpec, element_length: float | None = None
 ) -> Mesh:
-    """Nodes as in ``build_mesh`` and wherever something acts or is asked for."""
+    """Mesh with the nodes of ``build_mesh`` and at all places of the spec."""
     return build_mesh(_marked(spindle, spec), element_length)
 
 
@@ -42,13 +42,13 @@ def _marked(spindle: Spindle, spec: SectionForcesSpec) -> Spindle:
 def static_loads(
     spindle: Spindle, mesh: Mesh, spec: SectionForcesSpec, conditions: Conditions
 ) -> StaticLoads:
-    """All loads of the question; of the conditions those that no preload state carries."""
+    """All loads of the spec, and those of the conditions that no preload state carries."""
     point, turning = np.zeros((2, mesh.nodes, 6))
     for load in spec.loads:
         _put(point, mesh, spindle.place(load.at).x, np.array(load.on_axis))
-    for each in spec.unbalances:
-        way = np.array([0.0, math.cos(each.angle), math.sin(each.angle), 0.0, 0.0, 0.0])
-        _put(turning, mesh, spindle.place(each.at).x, each.unbalance * way)
+    for unbalance in spec.unbalances:
+        unit = np.array([0.0, math.cos(unbalance.angle), math.sin(unbalance.angle), 0.0, 0.0, 0.0])
+        _put(turning, mesh, spindle.place(unbalance.at).x, unbalance.unbalance * unit)
     line = np.zeros((mesh.nodes - 1, 2, 3))
     for span in spec.line_loads:
         ends = [spindle.place(at).x for at in (span.start, span.to)]
@@ -56,8 +56,8 @@ def static_loads(
         line[covered] += (span.qx, span.qy, span.qz)
     # with bearings the preload state carries the gravity of the conditions
     for gravity in (spec.gravity, "none" if spindle.seats else conditions.gravity):
-        on_bodies, along = weight(spindle, mesh, gravity)
-        point, line = point + on_bodies, line + along
+        on_bodies, on_lines = weight(spindle, mesh, gravity)
+        point, line = point + on_bodies, line + on_lines
     if not spindle.seats:
         for x, force in _along(spindle, conditions):
             point[mesh.node_of(x), 0] += force
@@ -65,13 +65,13 @@ def static_loads(
 
 
 def _put(point: Array, mesh: Mesh, x: float, load: Array) -> None:
-    """Add a load at ``x``, with its moment about the node where that is merged with a station."""
+    """Add a load at ``x`` to its node, with its moment about the node where both differ."""
     node = mesh.node_of(x)
     point[node] += rigid_motion(np.array(x), float(mesh.x[node])).T @ load
 
 
 def _along(spindle: Spindle, conditions: Conditions) -> Iterator[tuple[float, float]]:
-    """Stations and axial forces that a preload state would carry."""
+    """Stations and axial forces of the conditions that a preload state would carry."""
     yield spindle.shaft.start, conditions.axial_force - conditions.tension
     yield spindle.shaft.end, conditions.tension
     if bar := spindle.drawbar:
@@ -80,7 +80,7 @@ def _along(spindle: Spindle, conditions: Conditions) -> Iterator[tuple[float, fl
 
 
 def require_held(spindle: Spindle, spec: SectionForcesSpec, conditions: Conditions) -> None:
-    """Go on only where the loads balance along motions that nothing holds.
+    """Check that the loads balance along motions that nothing holds.
 
     Raises
     ------

@@ -20,11 +20,11 @@ FORCES = {
     "Tz": "shear_force_z",
 }
 MOMENTS = {"Mt": "torque", "My": "bending_moment_y", "Mz": "bending_moment_z"}
-LEAST = 1e-9  # of the largest force or moment: below that it is not there
+LEAST = 1e-9  # of the largest force or moment: a smaller one is rounding
 
 
 def summary(result: SectionForcesResult) -> list[str]:
-    """At the last speed with a solution, which is named where there are several."""
+    """Extremes, reactions and twist at the last speed with a solution, named if there are more."""
     row = int(np.flatnonzero(np.isfinite(result.torque).all(axis=1))[-1])
     at = f" at {result.speed[row] * RPM.factor:.0f} rpm" if len(result.speed) > 1 else ""
     bent = np.hypot(result.deflection_y[row], result.deflection_z[row]) * MICROMETRE.factor
@@ -61,8 +61,8 @@ def _peak(result: SectionForcesResult, row: int, field: str) -> tuple[float, flo
     """The value of largest amount, with its sign, and where it is [m]; 0 for rounding."""
     values = getattr(result, field)[row]
     where = int(np.abs(values).argmax())
-    there = abs(values[where]) > _least(result, row) * _lever(result, field in MOMENTS.values())
-    return float(values[where]) if there else 0.0, float(result.cut[where])
+    loaded = abs(values[where]) > _least(result, row) * _lever(result, field in MOMENTS.values())
+    return float(values[where]) if loaded else 0.0, float(result.cut[where])
 
 
 def _least(result: SectionForcesResult, row: int) -> float:
@@ -83,7 +83,7 @@ def _largest(result: SectionForcesResult, values: Any, unit: str) -> str:
 
 
 def _reactions(result: SectionForcesResult, row: int) -> Iterator[str]:
-    """Loads on the shaft that are there, by support."""
+    """Loads on the shaft by support; components of no more than rounding are omitted."""
     for name, loads in zip(result.support, result.reaction[row], strict=True):
         parts = [
             f"{component} {load:.5g}"
@@ -97,10 +97,10 @@ def _twists(result: SectionForcesResult) -> Iterator[str]:
     for k, name in enumerate(result.twist_limit):
         angle = np.degrees(np.abs(result.twist_between[:, k]))
         allowed = float(np.degrees(result.allowed_twist[k]))
-        kept = "kept" if np.nanmax(angle) <= allowed else "exceeded"
+        verdict = "kept" if np.nanmax(angle) <= allowed else "exceeded"
         bore = f" around a bore of {result.bore[k] * 1e3:g} mm" if result.bore[k] else ""
         yield (
-            f"twist      {name}: {from_to(angle, 4)}° of {allowed:.4g}° allowed, {kept}; "
+            f"twist      {name}: {from_to(angle, 4)}° of {allowed:.4g}° allowed, {verdict}; "
             f"uniform outer diameter that just keeps to it{bore}: "
             + unbroken(f"{from_to(result.required_diameter[:, k] * 1e3, 2)} mm")
         )
@@ -108,14 +108,14 @@ def _twists(result: SectionForcesResult) -> Iterator[str]:
 
 def warnings(result: SectionForcesResult) -> list[str]:
     """Twist above what is allowed, loads beyond the tangents of bearings, large deflections."""
-    most = np.nanmax(np.abs(result.twist_between), axis=0)
-    named = zip(result.twist_limit, most, result.allowed_twist, strict=True)
-    told = [*beyond_tangents("section_forces", result.support, result.speed, result.departure)]
+    largest = np.nanmax(np.abs(result.twist_between), axis=0)
+    limits = zip(result.twist_limit, largest, result.allowed_twist, strict=True)
+    sentences = [*beyond_tangents("section_forces", result.support, result.speed, result.departure)]
     inclined = np.hypot(result.slope_y, result.slope_z)
-    told += not_small("section_forces", result.speed, inclined)
-    return told + [
+    sentences += not_small("section_forces", result.speed, inclined)
+    return sentences + [
         f"twist {name}: {np.degrees(angle):.4g} deg is above the {np.degrees(allowed):.4g} deg "
         "allowed"
-        for name, angle, allowed in named
+        for name, angle, allowed in limits
         if angle > allowed
     ]

@@ -16,12 +16,12 @@ class StaticSagResult:
     """Deflection under weight, at stations of the shaft and at gauges in front of ``point``.
 
     ``weight``: its direction, 0 along the axis. ``follows_speed``: bearings and supports whose
-    stiffness is another at each speed.
+    stiffness depends on speed.
     ``deflection``: at a joint that of the part in front. ``slope``: inclination of the shaft at the
     point, dy/dx and dz/dx of a test bar in it.
     ``ring``: inner rings with a runout. ``runout``: full reading of a gauge over a slow turn, the
-    rings at their angles; ``ring_share``: by each ring alone; ``highest_runout``: by all of them at
-    whatever angles, their sum. The sag turns with nothing and is no part of the runout.
+    rings at their angles; ``ring_share``: by each ring alone; ``highest_runout``: their sum, which
+    the rings reach at the worst angles. The sag does not rotate and is no part of the runout.
     """
 
     point: str = quantity(unit="", label="point")

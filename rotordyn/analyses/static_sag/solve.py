@@ -1,8 +1,9 @@
 """Sag under weight and runout of the nose, statics of the shaft on its bearings.
 
 A ring whose groove is eccentric by e (half its runout) on the shaft displaces the shaft until the
-forces of all bearings balance, at slow speed without any force of inertia. At a turn ψ its
-eccentricity is e (cos(φ + ψ), sin(φ + ψ)), and a gauge at rest reads the swing of the displacement.
+forces of all bearings balance, at slow speed without any force of inertia. At an angle ψ
+of rotation its eccentricity is e (cos(φ + ψ), sin(φ + ψ)), and a gauge at rest reads the
+peak-to-peak displacement.
 
 Theory: docs/theory/statics.md#sag-and-runout-of-the-nose.
 """
@@ -24,7 +25,7 @@ DEFLECTION = [position("y"), position("z")]
 
 
 def answer(scene: Scene, spec: StaticSagSpec) -> StaticSagResult:
-    """At every speed with a solution.
+    """Sag, slope and runout at every speed with a solution.
 
     Raises
     ------
@@ -33,18 +34,18 @@ def answer(scene: Scene, spec: StaticSagSpec) -> StaticSagResult:
     spindle, mesh = scene.spindle, scene.mesh
     node, gauges = mesh.node_of(spindle.points[spec.point]), np.array(spec.gauges)
     down = spec.weight_of(scene.conditions)
-    moved = at_rest(scene, mesh, *weight(spindle, mesh, down)).moved
-    turned = [_turned(scene, ring.bearing, node, gauges) for ring in spec.ring_runouts]
-    swing = np.zeros((len(moved), len(gauges), len(turned), 2), dtype=complex)
-    for k, (ring, unit) in enumerate(zip(spec.ring_runouts, turned, strict=True)):
-        swing[:, :, k] = ring.runout * np.exp(1j * ring.angle) * unit
-    named = {ring.bearing for ring in spec.ring_runouts}
+    displacement = at_rest(scene, mesh, *weight(spindle, mesh, down)).moved
+    per_eccentricity = [_rotating(scene, ring.bearing, node, gauges) for ring in spec.ring_runouts]
+    readings = np.zeros((len(displacement), len(gauges), len(per_eccentricity), 2), dtype=complex)
+    for k, (ring, unit) in enumerate(zip(spec.ring_runouts, per_eccentricity, strict=True)):
+        readings[:, :, k] = ring.runout * np.exp(1j * ring.angle) * unit
+    with_runout = {ring.bearing for ring in spec.ring_runouts}
     tabled = [
-        each.name
-        for each in spindle.supports
-        if any(isinstance(value, tuple) for value in each.stiffness.values())
+        support.name
+        for support in spindle.supports
+        if any(isinstance(value, tuple) for value in support.stiffness.values())
     ]
-    share = np.abs(swing)
+    share = np.abs(readings)
     return StaticSagResult(
         point=spec.point,
         speed=scene.speed,
@@ -52,39 +53,41 @@ def answer(scene: Scene, spec: StaticSagSpec) -> StaticSagResult:
         gauge=gauges,
         direction=DIRECTIONS,
         ring=tuple(ring.bearing for ring in spec.ring_runouts),
-        true_ring=tuple(seat.name for seat in spindle.seats if seat.name not in named),
+        true_ring=tuple(seat.name for seat in spindle.seats if seat.name not in with_runout),
         follows_speed=(*(seat.name for seat in spindle.seats), *tabled),
         weight=np.sign(gravity_vector(down)[1:]),
         outcome=scene.outcome,
-        deflection=scene.scattered(moved[..., DEFLECTION]),
-        slope=scene.scattered(_slope(moved[:, node])),
-        sag=scene.scattered(_on_bar(moved[:, node], gauges)),
-        runout=scene.scattered(np.abs(swing.sum(axis=2))),
+        deflection=scene.scattered(displacement[..., DEFLECTION]),
+        slope=scene.scattered(_slope(displacement[:, node])),
+        sag=scene.scattered(_on_bar(displacement[:, node], gauges)),
+        runout=scene.scattered(np.abs(readings.sum(axis=2))),
         highest_runout=scene.scattered(share.sum(axis=2)),
         ring_share=scene.scattered(share),
     )
 
 
-def _turned(scene: Scene, bearing: str, node: int, gauges: Array) -> Complex:
-    """Displacement at the gauges (usable, gauges, 2) that turns with e^(iψ), per eccentricity of
-    an inner ring along y at ψ = 0."""
-    mesh, held = scene.mesh, scene.spindle.connections
-    ring = next(k for k, each in enumerate(held) if each.name == bearing)
-    none = np.zeros((mesh.nodes, 6)), np.zeros((mesh.nodes - 1, 2, 3))
+def _rotating(scene: Scene, bearing: str, node: int, gauges: Array) -> Complex:
+    """Complex displacement at the gauges (usable, gauges, 2), to be multiplied by e^(iψ), per
+    eccentricity of an inner ring along y at ψ = 0."""
+    mesh, supports = scene.mesh, scene.spindle.connections
+    ring = next(k for k, support in enumerate(supports) if support.name == bearing)
+    no_loads = np.zeros((mesh.nodes, 6)), np.zeros((mesh.nodes - 1, 2, 3))
     parts = []
-    for way in DEFLECTION:
-        offset = np.zeros((len(scene.usable), len(held), 6))
-        offset[:, ring, way] = 1.0
-        parts.append(_on_bar(at_rest(scene, mesh, *none, offset).moved[:, node], gauges))
+    for direction in DEFLECTION:
+        offset = np.zeros((len(scene.usable), len(supports), 6))
+        offset[:, ring, direction] = 1.0
+        parts.append(_on_bar(at_rest(scene, mesh, *no_loads, offset).moved[:, node], gauges))
     # y and z of the eccentricity are the real parts of e^(iψ) and −i e^(iψ)
     return np.asarray(parts[0] - 1j * parts[1])
 
 
-def _slope(moved: Array) -> Array:
-    """dy/dx and dz/dx (usable, 2) of a bar that turns with a section displaced by (usable, 6)."""
-    return np.stack([moved[:, position("thz")], -moved[:, position("thy")]], axis=-1)
+def _slope(displacement: Array) -> Array:
+    """dy/dx and dz/dx (usable, 2) of a bar fixed in a section displaced by (usable, 6)."""
+    return np.stack([displacement[:, position("thz")], -displacement[:, position("thy")]], axis=-1)
 
 
-def _on_bar(moved: Array, gauges: Array) -> Array:
-    """Displacement (usable, gauges, 2) of a straight bar in that section, in front of it."""
-    return np.asarray(moved[:, None, DEFLECTION] - gauges[:, None] * _slope(moved)[:, None])
+def _on_bar(displacement: Array, gauges: Array) -> Array:
+    """Displacement (usable, gauges, 2) of that straight bar, in front of the section."""
+    return np.asarray(
+        displacement[:, None, DEFLECTION] - gauges[:, None] * _slope(displacement)[:, None]
+    )

@@ -1,4 +1,4 @@
-"""What a case asks of sag and runout (SI)."""
+"""Specification of sag and runout (SI)."""
 
 from __future__ import annotations
 
@@ -48,13 +48,13 @@ class StaticSagSpec(Spec):
 
     def weight_of(self, conditions: Conditions) -> str:
         """Direction of the weight by which the shaft sags; none along its axis."""
-        given = "" if conditions.gravity == "none" else conditions.gravity
-        if self.gravity is not None or not given:
+        of_conditions = "" if conditions.gravity == "none" else conditions.gravity
+        if self.gravity is not None or not of_conditions:
             return self.gravity or "-y"
-        return given if given in GRAVITY else "none"
+        return of_conditions if of_conditions in GRAVITY else "none"
 
     def _faults(self) -> Faults:
-        yield from repeated("ring_runouts", (each.bearing for each in self.ring_runouts), "bearing")
+        yield from repeated("ring_runouts", (ring.bearing for ring in self.ring_runouts), "bearing")
         yield from repeated("gauges", (f"{gauge * 1e3:g} mm" for gauge in self.gauges))
 
     def faults_on(self, setting: Setting) -> Faults:
@@ -67,16 +67,20 @@ class StaticSagSpec(Spec):
         for index, ring in enumerate(self.ring_runouts):
             for sentence in unknown("bearing or support", ring.bearing, names):
                 yield ("ring_runouts", index, "bearing"), sentence
-        own, weighed = self.gravity, conditions.gravity not in ("", "none")
-        if own is not None and weighed and own != replace(self, gravity=None).weight_of(conditions):
+        gravity, weighed = self.gravity, conditions.gravity not in ("", "none")
+        if (
+            gravity is not None
+            and weighed
+            and gravity != replace(self, gravity=None).weight_of(conditions)
+        ):
             yield (
                 ("gravity",),
-                f"another weight than that of the conditions: given '{own}' beside "
+                f"another weight than that of the conditions: given '{gravity}' beside "
                 f"'{conditions.gravity}'; leave it out: the sag is then by that one",
             )
 
     def last_faults_on(self, setting: Setting) -> Faults:
-        """The shaft is no free body under its weight, and held no more often than it can."""
+        """Require that the shaft is no free body under its weight, and reactions are determined."""
         from rotordyn.equation.mesh import station_mesh
         from rotordyn.scene.at_rest import on_nodes, require_balance, weight
 

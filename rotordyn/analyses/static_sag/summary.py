@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 
 
 def summary(result: StaticSagResult) -> list[str]:
-    """At the slowest speed with a solution, where it is measured."""
+    """Sag and runout at the slowest speed with a solution, at which they are measured."""
     row = _slowest(result)
     slope = _both(result, result.slope[row] * MICRORADIAN.factor)
     sag = ", ".join(_at_gauges(result, row, result.sag))
@@ -50,7 +50,7 @@ def numbers(result: StaticSagResult, _: Described) -> Iterator[Number]:
 
 
 def warnings(result: StaticSagResult) -> list[str]:
-    """Rings taken to run true, a machine that is not at rest, large deflections."""
+    """Warnings of rings assumed to run true, of a machine not at rest, of large deflections."""
     sentences = []
     if result.ring and result.true_ring:
         sentences.append(
@@ -63,9 +63,9 @@ def warnings(result: StaticSagResult) -> list[str]:
             f"sag of {result.point}: the slowest speed solved is {slow * RPM.factor:.0f} rpm, "
             "where bearings are not as stiff as where sag and runout are measured: add 0 rpm"
         )
-    moved = np.diff(result.deflection, axis=1)
+    difference = np.diff(result.deflection, axis=1)
     length = np.diff(result.station)[:, None]
-    inclined = np.divide(moved, length, out=np.zeros_like(moved), where=length > 0.0)
+    inclined = np.divide(difference, length, out=np.zeros_like(difference), where=length > 0.0)
     return [*sentences, *not_small(f"sag of {result.point}", result.speed, inclined)]
 
 
@@ -75,15 +75,15 @@ def _slowest(result: StaticSagResult) -> int:
 
 def _at_gauges(result: StaticSagResult, row: int, values: Array) -> Iterator[str]:
     """y and z at each gauge, which is named where it is not at the point."""
-    for gauge, each in zip(result.gauge, values[row] * MICROMETRE.factor, strict=True):
+    for gauge, value in zip(result.gauge, values[row] * MICROMETRE.factor, strict=True):
         side = "in front" if gauge > 0.0 else "behind"
         at = f" {abs(gauge) * 1e3:g} mm {side}" if gauge else ""
-        yield unbroken(f"{_both(result, each)}{at}")
+        yield unbroken(f"{_both(result, value)}{at}")
 
 
 def _both(result: StaticSagResult, values: Array) -> str:
-    named = zip(result.direction, values, strict=True)
-    return unbroken(" ".join(f"{name} {_number(float(value))}" for name, value in named))
+    by_direction = zip(result.direction, values, strict=True)
+    return unbroken(" ".join(f"{name} {_number(float(value))}" for name, value in by_direction))
 
 
 def _number(value: float) -> str:

@@ -1,4 +1,4 @@
-"""How its result is laid out in tables."""
+"""Layouts of the tables of sag and runout."""
 
 from __future__ import annotations
 

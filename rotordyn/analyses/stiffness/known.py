@@ -1,4 +1,4 @@
-"""What may be compared of its result."""
+"""Tangent stiffness for comparison with references."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from rotordyn.results.known import column
 
 
 def known(reference: Reference, result: StiffnessResult, _: Spindle | None) -> Array | None:
-    """Values beside a reference at its speeds, NaN without one; None for other quantities."""
+    """Computed values at the speeds of a reference, NaN without one; None for other quantities."""
     if reference.quantity != "radial_stiffness":
         return None
     speeds = np.asarray(reference.speeds, float)

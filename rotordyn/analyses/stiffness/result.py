@@ -18,7 +18,7 @@ class StiffnessResult:
 
     Loads of bearings (axial ones in their own frames, x loads the balls) and where balls lose their
     contact are those along the curve of the full bearing model; balls count from 1 and the
-    azimuth from y towards z of the spindle; of two balls that are mirror images it is one.
+    azimuth from y towards z of the spindle; of two balls that are mirror images one is named.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")

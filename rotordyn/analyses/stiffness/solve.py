@@ -53,19 +53,19 @@ def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
     force = np.linspace(0.0, spec.max_force, spec.steps + 1)
     rotor = _rotor(scene, spec)
     variants: dict[str, Variant | RadialCurve] = {}
-    rows, words = scene.bearing_row[scene.usable], np.where(scene.pushed_away, FALLS, "")
-    curves = partial(_nonlinear, scene.preload, rotor, rows, force, words)
-    usual = None
+    rows, outcome = scene.bearing_row[scene.usable], np.where(scene.pushed_away, FALLS, "")
+    curves = partial(_nonlinear, scene.preload, rotor, rows, force, outcome)
+    nonlinear = None
     if "nonlinear" in spec.variants or spec.second_stop:
-        usual = scene.timed("stiffness: nonlinear", curves)
+        nonlinear = scene.timed("stiffness: nonlinear", curves)
     for name in spec.variants:
-        if name == "nonlinear" and usual is not None:
-            variants[name] = usual
+        if name == "nonlinear" and nonlinear is not None:
+            variants[name] = nonlinear
         else:
             work = partial(_linear, scene, spec, rotor, name, force)
             variants[name] = scene.timed(f"stiffness: {name}", work)
-    if usual is not None and spec.second_stop:
-        short = partial(_short_stop, scene, spec, force, usual)
+    if nonlinear is not None and spec.second_stop:
+        short = partial(_short_stop, scene, spec, force, nonlinear)
         variants[SHORT_STOP] = scene.timed(f"stiffness: {SHORT_STOP}", short)
     deflection = np.stack([variant.deflection for variant in variants.values()], axis=1)
     tangent = np.stack([variant.tangent for variant in variants.values()], axis=1)
@@ -73,10 +73,11 @@ def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
     seats = scene.spindle.seats
     force_lost, ball = np.full((2, len(scene.usable), len(seats)), np.nan)
     loads = np.full((len(scene.usable), len(force), len(seats), 3), np.nan)
-    if usual is not None:
-        loads = usual.bearings
-        force_lost = usual.unloading
-        ball = np.where(np.isfinite(force_lost), usual.unloaded, np.nan)
+    if nonlinear is not None:
+        loads = nonlinear.bearings
+        force_lost = nonlinear.unloading
+        ball = np.where(np.isfinite(force_lost), nonlinear.unloaded, np.nan)
+    # balls of a bearing at thrust −x count against the azimuth of the spindle
     per_ball = np.array([2.0 * math.pi * seat.thrust / seat.bearing.balls for seat in seats])
     return StiffnessResult(
         speed=scene.speed,
@@ -97,7 +98,7 @@ def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
 
 
 def _secant(force: Array, deflection: Array) -> Array:
-    """At full load (usable, variants) [N/m]; NaN where none is asked for."""
+    """Secant stiffness at full load (usable, variants) [N/m]; NaN without load steps."""
     if len(force) == 1:
         return np.full(deflection.shape[:-1], np.nan)
     return np.asarray(force[-1] / deflection[..., -1])
@@ -109,32 +110,32 @@ def _rotor(
     seat_load: Array | None = None,
     speed: Array | None = None,
 ) -> StaticRotor:
-    """The rotor under the axial forces at ``bearing_speed``, or under others (states, seats)."""
+    """Rotor under the axial forces of the preload states, or ``seat_load`` (states, seats) [N]."""
     force = scene.bending_force(seat_load)
-    at = scene.state_speed if speed is None else speed
-    states = max(len(at), 0 if force is None else len(force))
-    at = np.broadcast_to(at, states)
+    speeds = scene.state_speed if speed is None else speed
+    states = max(len(speeds), 0 if force is None else len(force))
+    speeds = np.broadcast_to(speeds, states)
     if force is not None:
         force = np.broadcast_to(force, (states, force.shape[1]))
     place = scene.spindle.place(spec.point)
     if scene.loaded:
         unit = Across(((place, UNIT),), (0.0, 0.0))
         acting = across(scene.spindle, scene.conditions)
-        return loaded_rotor(scene.rotor, at, unit, force, acting)
-    return plane_rotor(scene.rotor, at, place, force)
+        return loaded_rotor(scene.rotor, speeds, unit, force, acting)
+    return plane_rotor(scene.rotor, speeds, place, force)
 
 
 def _outcome(scene: Scene, variants: dict[str, Variant | RadialCurve]) -> tuple[str, ...]:
     """Per speed: why the machine, or else the first variant that fails, has no solution."""
-    words = list(scene.outcome)
+    outcome = list(scene.outcome)
     for place, row in enumerate(scene.usable):
         if scene.pushed_away[place]:
-            words[row] = FALLS
+            outcome[row] = FALLS
         rpm = scene.speed[row] * RPM.factor
         for name, variant in variants.items():
-            if variant.outcome[place] and not words[row]:
-                words[row] = f"{name} at {rpm:.0f} rpm: {variant.outcome[place]}"
-    return tuple(words)
+            if variant.outcome[place] and not outcome[row]:
+                outcome[row] = f"{name} at {rpm:.0f} rpm: {variant.outcome[place]}"
+    return tuple(outcome)
 
 
 def _nonlinear(
@@ -144,41 +145,41 @@ def _nonlinear(
     once."""
     distinct, first, place = np.unique(rows, return_index=True, return_inverse=True)
     problem = Balance.at(state, rotor, distinct)
-    here = problem.first_point(state, distinct)
-    return radial_curve(problem, here, force, outcome[first]).at(place)
+    unloaded = problem.first_point(state, distinct)
+    return radial_curve(problem, unloaded, force, outcome[first]).at(place)
 
 
-def _short_stop(scene: Scene, spec: StiffnessSpec, force: Array, usual: RadialCurve) -> Variant:
-    """The nonlinear variant with other stop travels; solved anew only where they matter: with
-    all of them, mfw2310 takes 1.08 times as long."""
+def _short_stop(scene: Scene, spec: StiffnessSpec, force: Array, nonlinear: RadialCurve) -> Variant:
+    """The nonlinear variant with other stop travels, solved only at speeds at which they matter:
+    with all of them, mfw2310 takes 1.08 times as long."""
     rows = scene.bearing_row[scene.usable]
-    deflection, tangent = usual.deflection.copy(), usual.tangent.copy()
-    outcome = usual.outcome.astype(object)
-    anew = _where_travels_matter(scene, spec, usual)
-    if anew.size:
-        state = with_friction(scene.preload.with_travels(spec.second_stop, rows[anew]))
-        speeds = scene.state_speed[rows[anew]]
+    deflection, tangent = nonlinear.deflection.copy(), nonlinear.tangent.copy()
+    outcome = nonlinear.outcome.astype(object)
+    affected = _where_travels_matter(scene, spec, nonlinear)
+    if affected.size:
+        state = with_friction(scene.preload.with_travels(spec.second_stop, rows[affected]))
+        speeds = scene.state_speed[rows[affected]]
         rotor = _rotor(scene, spec, state.seat_load(), speeds)
-        words = np.where(scene.pushed_away[anew], FALLS, "")
-        curve = _nonlinear(state, rotor, np.arange(anew.size), force, words)
-        words = np.array(state.outcome, dtype=object)
+        outcomes = np.where(scene.pushed_away[affected], FALLS, "")
+        curve = _nonlinear(state, rotor, np.arange(affected.size), force, outcomes)
+        outcomes = np.array(state.outcome, dtype=object)
         buckled = scene.buckled(state.seat_load(), state.seat_stiffness(), speeds)
-        words = np.where(words == "", np.array(buckled, dtype=object), words)
-        good = words == ""
-        deflection[anew] = np.where(good[:, None], curve.deflection, np.nan)
-        tangent[anew] = np.where(good, curve.tangent, np.nan)
-        outcome[anew] = np.where(good, curve.outcome, words)
+        outcomes = np.where(outcomes == "", np.array(buckled, dtype=object), outcomes)
+        solved = outcomes == ""
+        deflection[affected] = np.where(solved[:, None], curve.deflection, np.nan)
+        tangent[affected] = np.where(solved, curve.tangent, np.nan)
+        outcome[affected] = np.where(solved, curve.outcome, outcomes)
     return Variant(deflection, tangent, outcome.astype(str))
 
 
-def _where_travels_matter(scene: Scene, spec: StiffnessSpec, usual: RadialCurve) -> Indices:
-    """Usable speeds at which a sleeve comes to the nearer of both its stops, or the curve ends."""
-    matters = np.zeros(len(usual.outcome), dtype=bool)
+def _where_travels_matter(scene: Scene, spec: StiffnessSpec, nonlinear: RadialCurve) -> Indices:
+    """Usable speeds at which a sleeve reaches the nearer of its two stops, or the curve ends."""
+    matters = np.zeros(len(nonlinear.outcome), dtype=bool)
     for body, sleeve in enumerate(scene.spindle.sleeves, start=SHAFT + 1):
         travel = spec.second_stop.get(sleeve.name, sleeve.stop_travel)
         if travel != sleeve.stop_travel:
             nearer = min(travel, sleeve.stop_travel)
-            matters |= ~(usual.reach[:, body] < nearer - REACHED) | (usual.outcome != "")
+            matters |= ~(nonlinear.reach[:, body] < nearer - REACHED) | (nonlinear.outcome != "")
     return np.flatnonzero(matters)
 
 
@@ -206,10 +207,8 @@ def _linear(
 
 
 def _constant_preload(scene: Scene, rest: Array) -> tuple[Array, NDArray[np.object_]]:
-    """Bearing tangents under the axial load each bearing carries at ``rest``, speed effects acting.
-
-    Also an outcome per bearing speed.
-    """
+    """Bearing tangents at speed under the axial loads that the bearings carry at ``rest``, and an
+    outcome per bearing speed."""
     from bearings.ring.tangents import stiffness as tangent_of
 
     state, bearings = scene.preload, scene.preload.network.arrangement.bearings
@@ -225,13 +224,13 @@ def _constant_preload(scene: Scene, rest: Array) -> tuple[Array, NDArray[np.obje
             "force"
         )
     carrying = [int(k) for k in np.flatnonzero(carries)]
-    for held in state.under_rest_loads(carrying):
-        tangents = tangent_of(held.state, scene.conditions.tangent)
-        for column, place in enumerate(held.places):
+    for batch in state.under_rest_loads(carrying):
+        tangents = tangent_of(batch.state, scene.conditions.tangent)
+        for column, place in enumerate(batch.places):
             k = carrying[place]
             blocks[:, list(bearings[k].seats)] = tangents[:, column, None]
-            lost = (held.state.outcome[:, column] != "") & (outcome == "")
-            outcome[lost] = (
+            failed = (batch.state.outcome[:, column] != "") & (outcome == "")
+            outcome[failed] = (
                 f"bearing {names[k]} has no equilibrium under its load at rest: raise the preload "
                 "or lower the speed"
             )
@@ -239,9 +238,9 @@ def _constant_preload(scene: Scene, rest: Array) -> tuple[Array, NDArray[np.obje
 
 
 def _plane_blocks(scene: Scene, stiffness: Array) -> Array:
-    """(…, seats, 2, 2) over (y, θz) of the spindle, from tangents in the bearings' own frames."""
+    """Blocks (…, seats, 2, 2) over (y, θz) of the spindle from tangents in bearing frames."""
     thrust = np.array([float(seat.thrust) for seat in scene.spindle.seats])
-    sign = np.stack([np.ones_like(thrust), thrust], axis=1)
+    sign = np.stack([np.ones_like(thrust), thrust], axis=1)  # z is opposite at thrust −x
     block = stiffness[..., PLANE[1:], :][..., PLANE[1:]]
     return block * sign[:, :, None] * sign[:, None, :]
 

@@ -1,4 +1,4 @@
-"""What a case asks of the radial stiffness of a point (SI)."""
+"""Specification of the radial stiffness of a point (SI)."""
 
 from __future__ import annotations
 
@@ -39,14 +39,14 @@ class StiffnessSpec(Spec):
 
     @property
     def unloaded(self) -> StiffnessSpec:
-        """The same without any load: tangents alone, which headline numbers and curves are."""
+        """Copy without load steps: tangents alone, which headline numbers and curves show."""
         with unchecked():
             return replace(self, steps=0)
 
     def faults_on(self, setting: Setting) -> Faults:
         spindle = setting.spindle
-        for what, there in (("housings", spindle.housings), ("further rotors", spindle.rotors)):
-            if there:
+        for what, present in (("housings", spindle.housings), ("further rotors", spindle.rotors)):
+            if present:
                 yield (
                     (),
                     f"the radial stiffness takes no {what}: ask frf at a low frequency instead",
@@ -73,10 +73,10 @@ class StiffnessSpec(Spec):
                 yield ("second_stop", name), sentence
         for support in spindle.supports:
             if support.out_of_plane:
-                across = ", ".join(entry_name(*pair) for pair in support.out_of_plane)
+                entries = ", ".join(entry_name(*pair) for pair in support.out_of_plane)
                 yield (
                     (),
                     f"support '{support.name}' couples plane y or the axis to other motions "
-                    f"({across}): the radial stiffness is solved in plane y alone; ask frf at a "
+                    f"({entries}): the radial stiffness is solved in plane y alone; ask frf at a "
                     "low frequency instead",
                 )

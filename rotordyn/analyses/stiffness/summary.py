@@ -30,7 +30,7 @@ def numbers(result: StiffnessResult, _: Described) -> Iterator[Number]:
 
 
 def warnings(result: StiffnessResult) -> list[str]:
-    """Bearings some ball of which the radial force unloads."""
+    """Warnings of bearings in which the radial force unloads a ball."""
     sentences = []
     for k, (name, force) in enumerate(zip(result.bearing, result.unloading_force.T, strict=True)):
         if not np.isfinite(force).any():

@@ -1,4 +1,4 @@
-"""Preload of every bearing over the temperature difference of what turns and what stands still."""
+"""Preload of every bearing over the temperature difference of rotating and stationary parts."""
 
 from __future__ import annotations
 

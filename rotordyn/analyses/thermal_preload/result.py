@@ -15,7 +15,7 @@ OVER = ("speed", "difference", "bearing")
 
 @dataclass(frozen=True)
 class ThermalPreloadResult:
-    """Axial load and ring growth of every bearing; NaN beside a ``state`` that says why."""
+    """Axial load and ring growth of every bearing; NaN where ``state`` says why."""
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
     difference: Array = coordinate("difference", unit="K", label="temperature difference")

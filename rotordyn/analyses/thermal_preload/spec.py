@@ -1,4 +1,4 @@
-"""What a case asks of the preload over temperature difference (SI)."""
+"""Specification of the preload over temperature difference (SI)."""
 
 from __future__ import annotations
 

@@ -19,17 +19,17 @@ def summary(result: ThermalPreloadResult) -> list[str]:
     lines = []
     for index in sorted({0, len(result.speed) - 1}):
         load = result.axial_load[index]
-        known = np.flatnonzero(~np.isnan(load).any(axis=1))
-        if not known.size:
+        solved = np.flatnonzero(~np.isnan(load).any(axis=1))
+        if not solved.size:
             continue
-        first, last = known[0], known[-1]
-        words = ", ".join(
+        first, last = solved[0], solved[-1]
+        loads = ", ".join(
             unbroken(f"{name} {load[first, k]:.0f} → {load[last, k]:.0f}")
             for k, name in enumerate(result.bearing)
         )
         ends = f"{result.difference[first]:+g} K → {result.difference[last]:+g} K"
         lines.append(
-            f"warming    at {result.speed[index] * RPM.factor:.0f} rpm, {ends} [N]: {words}"
+            f"warming    at {result.speed[index] * RPM.factor:.0f} rpm, {ends} [N]: {loads}"
         )
         lines += _unsolved(result, index)
     return lines
@@ -46,33 +46,33 @@ def _unsolved(result: ThermalPreloadResult, index: int) -> list[str]:
 
 
 def numbers(result: ThermalPreloadResult, _: Described) -> Iterator[Number]:
-    """The largest axial load of any bearing, and the difference nearest to none without a state,
-    over speed."""
+    """The largest axial load of any bearing, and the difference of least amount without a
+    state, over speed."""
     largest = np.nan_to_num(result.axial_load, nan=-np.inf).max(axis=(1, 2))
     largest = np.where(np.isinf(largest), np.nan, largest)
     yield from each_speed(result, "load", "N", largest, digits=0)
-    yield from each_speed(result, "difference without a state", "K", _lost(result))
+    yield from each_speed(result, "difference without a state", "K", _least_unsolved(result))
 
 
 def warnings(result: ThermalPreloadResult) -> Iterator[str]:
-    """Differences without a state: the preload is lost, or one that is too high."""
-    lost = _lost(result)
-    rows = np.flatnonzero(np.isfinite(lost))
+    """Warning of differences without a state, where the preload is lost or too high."""
+    least = _least_unsolved(result)
+    rows = np.flatnonzero(np.isfinite(least))
     if not rows.size:
         return
-    row = rows[np.abs(lost[rows]).argmin()]
-    why = result.state[row, np.flatnonzero(result.difference == lost[row])[0]]
+    row = rows[np.abs(least[rows]).argmin()]
+    why = result.state[row, np.flatnonzero(result.difference == least[row])[0]]
     more = int((result.state[rows] != "").sum()) - 1
     many = f" (and in {more} more states)" if more else ""
-    yield f"thermal_preload: at {lost[row]:+g} K{many} {why}"
+    yield f"thermal_preload: at {least[row]:+g} K{many} {why}"
 
 
-def _lost(result: ThermalPreloadResult) -> Array:
-    """Of every speed that has a state by itself, the difference nearest to none without one [K];
-    NaN where all have one."""
-    lost = np.full(len(result.speed), np.nan)
-    for row, own in enumerate(result.outcome):
+def _least_unsolved(result: ThermalPreloadResult) -> Array:
+    """Difference of least amount without a state [K], at every speed that has a state otherwise;
+    NaN where all differences have one."""
+    least = np.full(len(result.speed), np.nan)
+    for row, outcome in enumerate(result.outcome):
         places = np.flatnonzero(result.state[row] != "")
-        if not own and places.size:
-            lost[row] = result.difference[places[np.abs(result.difference[places]).argmin()]]
-    return lost
+        if not outcome and places.size:
+            least[row] = result.difference[places[np.abs(result.difference[places]).argmin()]]
+    return least

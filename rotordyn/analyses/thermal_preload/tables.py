@@ -1,4 +1,4 @@
-"""How its result is laid out in tables."""
+"""Layout of the table of preload over temperature difference."""
 
 from __future__ import annotations
 

@@ -65,7 +65,7 @@ def offered(monkeypatch: pytest.MonkeyPatch, tmp_path: Path):
 
 
 def forget_those_outside() -> None:
-    for each in (registry._outside, registry.names, registry.analysis):
+    for each in (registry._external, registry.names, registry.analysis):
         each.cache_clear()
 
 

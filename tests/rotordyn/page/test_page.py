@@ -238,11 +238,11 @@ def test_an_analysis_without_a_page_of_its_own_has_a_section(
 
     outside = Path(__file__).parents[1] / "analyses" / "outside"
     monkeypatch.syspath_prepend(outside)
-    registry._outside.cache_clear()
+    registry._external.cache_clear()
     spec = import_module("nose_sag").NoseSagSpec()
     case = replace(rotordyn.load("lalanne_ferraris"), analyses={"nose_sag": spec})
     page = rotordyn.run(case).report(tmp_path / "page.html")
-    registry._outside.cache_clear()
+    registry._external.cache_clear()
     registry.analysis.cache_clear()
     content, numbers = held(page.read_text(encoding="utf-8"))
     read = words(page.read_text(encoding="utf-8"))

@@ -32,9 +32,9 @@ def figures(_: Described, result: Any, results: Mapping[str, Any]) -> Iterator[J
         if not _unbounded(result):
             yield "frf_surface", partial(code("surface:surface_figure"), result, 0)
         for first in range(1, count, ON_A_PAGE):
-            others = list(range(first, min(first + ON_A_PAGE, count)))
+            pairs_on_page = list(range(first, min(first + ON_A_PAGE, count)))
             name = "frf_maps" + f"_{first // ON_A_PAGE + 1}" * (first > 1)
-            yield name, partial(code("map:map_figure"), result, others, modes)
+            yield name, partial(code("map:map_figure"), result, pairs_on_page, modes)
     for first in range(0, count if len(result.line) else 0, 2):
         pairs = list(range(first, min(first + 2, count)))
         number = f"_{first // 2 + 1}" if count > 2 else ""
@@ -55,7 +55,7 @@ def _unbounded(result: Any) -> bool:
 
 
 def panels(_: Any, variants: Sequence[Shown]) -> Iterator[Panel]:
-    """Surfaces and maps of the first pair, each on one scale."""
+    """Small surfaces and maps of the first pair, all variants on a common scale."""
     first = variants[0].result
     if first.speed.size == 1 or first.frequency.size == 1:
         return
@@ -70,12 +70,15 @@ def panels(_: Any, variants: Sequence[Shown]) -> Iterator[Panel]:
 
 
 def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
-    """Amplitude over frequency of every pair at the first slice speeds, those first beside which
-    something was measured."""
+    """Amplitude over frequency of every pair at up to ``MOST_SLICES`` slice speeds, those nearest
+    to measured responses first."""
     result = variant.result
-    beside = {nearest_slice(result, float(speed)) for speed in result.measured_speed}
-    slices = [*beside, *(k for k in np.flatnonzero(result.is_slice).tolist() if k not in beside)]
-    below = axis_label(result, "frequency")
+    first = {nearest_slice(result, float(speed)) for speed in result.measured_speed}
+    slices = [
+        *first,
+        *(k for k in np.flatnonzero(result.is_slice).tolist() if k not in first),
+    ]
+    x_label = axis_label(result, "frequency")
     for pair, name in enumerate(result.pair):
         number = f"_{pair + 1}" if len(result.pair) > 1 else ""
         unit = shown(result.unit(pair))
@@ -83,7 +86,7 @@ def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
             frequency, values = result.curve(index, pair)
             title = f"{result.kind} {name} at {result.speed[index] * RPM.factor:.0f} rpm"
             title += ", in the turning frame" if turning(result) else ""
-            look: dict[str, Any] = {"along": below, "title": title, "log": True}
+            look: dict[str, Any] = {"along": x_label, "title": title, "log": True}
             size = np.abs(values) * unit.factor
             curve = Curve(f"frf_curves{number}", "amplitude", unit.unit, frequency, size, **look)
             yield curve
@@ -91,13 +94,13 @@ def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
 
 
 def _measured(curve: Curve, result: Any, pair: int, index: int) -> Iterator[Curve]:
-    """What was measured of a pair nearest to a slice speed, beside its computed curve."""
+    """Measured responses of a pair whose nearest slice speed is ``index``, as curves."""
     for row, name in enumerate(result.measured):
         speed, x = float(result.measured_speed[row]), result.measured_frequency[row]
         if (result.measured_pair[row], nearest_slice(result, speed)) != (result.pair[pair], index):
             continue
         inside = (x >= result.frequency[0]) & (x <= result.frequency[-1])
         size = np.abs(result.measured_response[row, inside]) * shown(result.unit(pair)).factor
-        words = f"{name}, measured at {speed * RPM.factor:.0f} rpm"
-        alike = bool(np.isnan(result.measured_error[row]))  # what is coupled hangs on the tool
-        yield curve._replace(x=x[inside], y=size, series=words, backdrop=alike)
+        series = f"{name}, measured at {speed * RPM.factor:.0f} rpm"
+        common = bool(np.isnan(result.measured_error[row]))  # unlike a tip coupled to the tool
+        yield curve._replace(x=x[inside], y=size, series=series, backdrop=common)

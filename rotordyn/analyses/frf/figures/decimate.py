@@ -1,4 +1,4 @@
-"""Fewer points that still show every peak."""
+"""Decimation of curves that keeps every peak."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ def peak_bins(values: Array, coordinate: Array, edges: Array) -> Array:
     count = np.searchsorted(coordinate, edges[1:], side="left") - first
     middle = (edges[:-1] + edges[1:]) / 2.0
     reduced = _interpolated(values, coordinate, middle)
-    full = np.flatnonzero(count)
-    if full.size:
-        stop = first[full[-1]] + count[full[-1]]
-        reduced[..., full] = np.maximum.reduceat(values[..., :stop], first[full], axis=-1)
+    occupied = np.flatnonzero(count)
+    if occupied.size:
+        stop = first[occupied[-1]] + count[occupied[-1]]
+        reduced[..., occupied] = np.maximum.reduceat(values[..., :stop], first[occupied], axis=-1)
     return reduced
 
 

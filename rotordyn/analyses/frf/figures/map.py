@@ -40,7 +40,7 @@ COLOURS = "viridis"
 def map_figure(
     result: FrequencyResponse, pairs: Sequence[int], campbell: Modes | None = None
 ) -> Figure:
-    """|H| of one pair on a full figure, or of several on small ones; mode lines over it."""
+    """Draw |H| of one pair on a full figure, or of several on small axes, with mode lines."""
     columns = 1 if len(pairs) == 1 else 2
     rows = math.ceil(len(pairs) / columns)
     figure = new_figure(168.0, 110.0 if columns == 1 else 14.0 + 64.0 * rows)
@@ -67,12 +67,13 @@ def amplitude(result: FrequencyResponse, pair: int) -> NDArray[np.float64]:
 
 
 def amplitude_range(values: NDArray[np.float64]) -> tuple[float, float]:
-    """Colour or height limits: the largest value, and the smallest within four decades of it."""
-    known = values[np.isfinite(values) & (values > 0.0)]
-    if not known.size:
+    """Limits of colour or height: the 0.5 % percentile, at most four decades below the largest
+    value, and that value."""
+    drawable = values[np.isfinite(values) & (values > 0.0)]
+    if not drawable.size:
         return 0.1, 1.0
-    high = float(known.max())
-    low = max(float(np.percentile(known, 0.5)), high / 10.0**FLOOR_DECADES)
+    high = float(drawable.max())
+    low = max(float(np.percentile(drawable, 0.5)), high / 10.0**FLOOR_DECADES)
     return (low if low < high else high / 10.0), high
 
 
@@ -82,7 +83,7 @@ def common_range(variants: Sequence[Shown]) -> tuple[float, float]:
 
 
 def draw_variant(axes: Axes, variant: Shown, limits: tuple[float, float]) -> None:
-    """The map of the first pair of a variant, with the frequencies known of it."""
+    """Draw the map of the first pair of a variant, with its published or measured frequencies."""
     result = variant.result
     draw_map(axes, result, 0, limits)
     speeds_shown(axes, result, 4)
@@ -94,17 +95,17 @@ def draw_variant(axes: Axes, variant: Shown, limits: tuple[float, float]) -> Non
 def scale_of_variants(
     figure: Figure, axes: Axes, variant: Shown, box: tuple[float, float, float, float]
 ) -> None:
-    """What the colours of all maps mean, beside one of them."""
+    """Draw the colour scale common to all maps, beside one of them."""
     draw_scale(figure, axes.images[0], variant.result, 0, box)
 
 
 def draw_map(
     axes: Axes, result: FrequencyResponse, pair: int, limits: tuple[float, float] | None = None
 ) -> AxesImage:
-    """An even raster: nearest speed across, largest amplitude of each row of pixels up, peaks
-    between the frequencies of the case included. A few speeds are bands.
+    """Draw |H| as an even raster: a column of pixels shows the nearest speed, a pixel the largest
+    amplitude in its row, peaks between frequencies included. Few speeds are drawn as bands.
 
-    ``limits`` of the amplitude [printed unit]; by default its own.
+    ``limits`` of the amplitude [printed unit]; by default those of the pair.
     """
     from matplotlib.image import PcolorImage
 
@@ -116,11 +117,11 @@ def draw_map(
     low, high = limits or amplitude_range(values)
     first = float(rpm[0])
     values = np.minimum(values, high)  # without damping a peak has no limit
-    across = first + (top - first) * (np.arange(_COLUMNS) + 0.5) / _COLUMNS
-    values = nearest(values, rpm, across)
+    pixel_rpm = first + (top - first) * (np.arange(_COLUMNS) + 0.5) / _COLUMNS
+    values = nearest(values, rpm, pixel_rpm)
     if 1 < len(rpm) < LEAST_RASTER:
-        apart = np.abs(across[:, None] - rpm).min(axis=1)
-        values[apart > BAND * (top - first)] = np.nan
+        distance = np.abs(pixel_rpm[:, None] - rpm).min(axis=1)
+        values[distance > BAND * (top - first)] = np.nan
         axes.set_facecolor(UNKNOWN)
     ends = math.log10(low), math.log10(high)
     speeds = np.linspace(first, top, _COLUMNS + 1)
@@ -136,8 +137,8 @@ def draw_map(
 
 
 def _coloured(values: NDArray[np.float64], low: float, high: float) -> NDArray[np.uint8]:
-    """Colours (n, m, 4) of values between ends: matplotlib would resample the values instead, many
-    times as large on paper."""
+    """Map values between ``low`` and ``high`` to colours (n, m, 4) here: matplotlib would resample
+    the values instead, many times as large on paper."""
     from matplotlib import colormaps
 
     share = np.ma.masked_invalid((values - low) / (high - low))
@@ -160,7 +161,7 @@ def with_peaks(
 
 
 def speeds_shown(axes: Axes, result: FrequencyResponse, most: int) -> None:
-    """The speeds of the case [rpm], with round ticks."""
+    """Set the speed axis to the speeds of the case [rpm], with round ticks."""
     rpm = result.speed * RPM.factor
     speed_ticks(axes, max(float(rpm[-1]), 1.0), most)
     axes.set_xlim(float(rpm[0]), max(float(rpm[-1]), 1.0))
@@ -173,12 +174,12 @@ def draw_scale(
     pair: int,
     box: tuple[float, float, float, float],
 ) -> None:
-    """What the colours of ``image`` mean, beside its ``box`` [mm]."""
+    """Draw the colour scale of ``image`` beside its ``box`` [mm]."""
     left, bottom, wide, tall = box
-    beside = (left + wide + 2.5, bottom, 3.0, tall)
+    scale_box = (left + wide + 2.5, bottom, 3.0, tall)
     low, high = image.get_clim()
     scale = colour_scale(
-        figure, beside, low, high, f"|H| [{shown(result.unit(pair)).unit}]", COLOURS
+        figure, scale_box, low, high, f"|H| [{shown(result.unit(pair)).unit}]", COLOURS
     )
     ticks = log_ticks(10.0**low, 10.0**high)
     scale.set_yticks([math.log10(v) for v, _ in ticks], [name for _, name in ticks])

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 ROUNDING = 1e-12  # of the largest amplitude
 LINEAR, PALE_GREY = "linear scale, logarithmic beyond", "#E4E4E4"
-SHARP = 300.0  # times the median: peaks so high leave nothing else to be seen
+SHARP = 300.0  # times the median: a linear axis shows nothing beside a higher peak
 
 
 def amplitude_phase_figure(result: FrequencyResponse, pairs: Sequence[int]) -> Figure:
@@ -94,9 +94,9 @@ def _lines(axes: Axes, result: FrequencyResponse, pair: int, part: str) -> None:
 
 
 def _scale(axes: Axes, largest: float) -> None:
-    """The axis of a real or imaginary part: linear; logarithmic to both sides of zero where peaks
-    are so much higher than the rest that nothing else would be seen, linear in a band; said where
-    it is zero."""
+    """Scale the axis of a real or imaginary part: linear, or, where the highest peak is more than
+    ``SHARP`` times the median, logarithmic on both sides of a linear band about zero. A part that
+    is zero is annotated."""
     drawn = [np.abs(np.asarray(line.get_ydata(), float)) for line in axes.get_lines()]
     values = np.concatenate([np.zeros(1), *drawn])
     high = float(values.max())
@@ -111,22 +111,22 @@ def _scale(axes: Axes, largest: float) -> None:
             fontsize=FONT_SIZE,
         )
         return
-    usual = float(np.median(values[values > 0.0]))
-    if high < SHARP * usual:
+    median = float(np.median(values[values > 0.0]))
+    if high < SHARP * median:
         return
-    least = 10.0 ** math.floor(math.log10(usual))
-    axes.set_yscale("symlog", linthresh=least, linscale=0.5)
-    axes.axhspan(-least, least, color=PALE_GREY, lw=0.0, zorder=0, label=LINEAR)
-    decades = [10.0**k for k in range(round(math.log10(least)), math.ceil(math.log10(high)) + 1)]
-    shown_ones = decades[1 :: 1 + len(decades) // 4]
-    axes.set_yticks([-each for each in shown_ones[::-1]] + [0.0, *shown_ones])
+    linear = 10.0 ** math.floor(math.log10(median))
+    axes.set_yscale("symlog", linthresh=linear, linscale=0.5)
+    axes.axhspan(-linear, linear, color=PALE_GREY, lw=0.0, zorder=0, label=LINEAR)
+    decades = [10.0**k for k in range(round(math.log10(linear)), math.ceil(math.log10(high)) + 1)]
+    labelled = decades[1 :: 1 + len(decades) // 4]
+    axes.set_yticks([-value for value in labelled[::-1]] + [0.0, *labelled])
     axes.yaxis.set_major_formatter(lambda value, _: _power_of_ten(value))
     axes.minorticks_off()
     axes.set_ylim(-2.0 * high, 2.0 * high)
 
 
 def _power_of_ten(value: float) -> str:
-    """Short enough to stay clear of the axis' name: 0.01, 1, 1e-4."""
+    """Tick label short enough to stay clear of the axis label: 0.01, 1, 1e-4."""
     sign, size = "\u2212" if value < 0.0 else "", abs(value)
     plain = size == 0.0 or 0.01 <= size < 1e4
     return sign + (f"{size:g}" if plain else f"{size:.0e}".replace("e-0", "e-"))
@@ -135,7 +135,7 @@ def _power_of_ten(value: float) -> str:
 def draw_measured(
     axes: Axes, result: FrequencyResponse, pair: int, part: str, index: int | None = None
 ) -> None:
-    """What was measured of a pair, dashed; ``index``: only what is nearest to that slice speed."""
+    """Draw measured responses of a pair, dashed; ``index``: only those nearest to that slice."""
     factor = shown(result.unit(pair)).factor
     for row, name in enumerate(result.measured):
         if result.measured_pair[row] != result.pair[pair]:
@@ -156,13 +156,13 @@ def draw_measured(
 
 
 def nearest_slice(result: FrequencyResponse, speed: float) -> int:
-    """The place, among all speeds, of the drawn speed nearest to ``speed``."""
+    """Index, among all speeds, of the slice speed nearest to ``speed``."""
     slices = np.flatnonzero(result.is_slice)
     return int(slices[np.abs(result.speed[slices] - speed).argmin()])
 
 
 def _part(values: NDArray[np.complex128], part: str) -> Array:
-    """The part asked for; a phase does not draw a line where it wraps."""
+    """The named part of complex values; a phase [deg] is broken where it wraps."""
     if part == "amplitude":
         return np.abs(values)
     if part != "phase":

@@ -53,10 +53,10 @@ def draw_surface(
     limits: Limits | None = None,
     shrink: float = 1.0,
 ) -> None:
-    """The surface with its frame.
+    """Draw the surface with its frame.
 
-    ``limits`` of the height [printed unit], by default its own; ``shrink``: by what factor the
-    panel is smaller than a full figure, so that its text finds room.
+    ``limits`` of the height [printed unit], by default its own; ``shrink``: factor by which
+    the panel is smaller than a full figure, which leaves room for its text.
     """
     axes.set_axis_off()
     frequency, rpm, height, limits = _grid(result, pair, limits)
@@ -70,13 +70,13 @@ def draw_surface(
 
 
 def draw_variant(axes: Axes, variant: Shown, limits: Limits) -> None:
-    """The surface of the first pair of a variant, with the frequencies known of it."""
+    """Draw the surface of the first pair of a variant, with its known frequencies as pins."""
     draw_surface(axes, variant.result, 0, shortened(variant.title), limits, shrink=1.6)
     draw_pins(axes, variant.result, variant.known)
 
 
 def draw_pins(axes: Axes, result: FrequencyResponse, known: Sequence[Reference]) -> None:
-    """Published and measured frequencies as pins through the surface."""
+    """Draw published and measured frequencies as pins through the surface."""
     rpm, high = max(float(result.speed[-1]), 1.0), float(result.frequency[-1])
     for reference in (r for r in known if r.quantity in KNOWN):
         mark, what = KNOWN[reference.quantity]
@@ -101,7 +101,10 @@ def project(right: Array, back: Array, up: Array) -> Array:
 def _grid(
     result: FrequencyResponse, pair: int, limits: Limits | None
 ) -> tuple[Array, Array, Array, Limits]:
-    """Frequency and speed from 0 to 1 and log-height from 0 to 1 (strip, step), peaks kept."""
+    """Frequency, speed and logarithmic height (strips, steps), each from 0 to 1; then its limits.
+
+    Peaks between frequencies are included.
+    """
     keep = np.flatnonzero(np.isfinite(result.response[:, pair]).all(axis=1))
     keep = keep[np.unique(np.linspace(0, keep.size - 1, min(STRIPS, keep.size)).astype(int))]
     frequency, rpm = result.frequency, result.speed[keep] * RPM.factor
@@ -115,7 +118,7 @@ def _grid(
 
 
 def _surface(axes: Axes, frequency: Array, rpm: Array, height: Array) -> None:
-    """One quadrilateral per cell, back to front, shaded by height; the strips drawn as lines."""
+    """Draw a quadrilateral per cell, back to front, shaded by slope; the front strip as a line."""
     from matplotlib import colormaps
     from matplotlib.collections import LineCollection, PolyCollection
 
@@ -151,7 +154,7 @@ def _surface(axes: Axes, frequency: Array, rpm: Array, height: Array) -> None:
 
 
 def _frame(axes: Axes, result: FrequencyResponse, pair: int, limits: Limits, shrink: float) -> None:
-    """Floor and walls with a light grid, ticks and names of the three axes."""
+    """Draw floor and walls with a light grid, ticks and names of the three axes."""
     from matplotlib.collections import LineCollection
 
     rpm = max(float(result.speed[-1] * RPM.factor), 1.0)
@@ -183,12 +186,12 @@ def _frame(axes: Axes, result: FrequencyResponse, pair: int, limits: Limits, shr
     _axis_names(axes, axis_label(result, "frequency"), unit, shrink)
 
 
-def _axis_names(axes: Axes, across: str, unit: str, shrink: float) -> None:
+def _axis_names(axes: Axes, frequency_label: str, unit: str, shrink: float) -> None:
     middle, edge = 0.5 * _RIGHT, _RIGHT + 0.5 * _BACK
     axes.text(
         middle[0],
         middle[1] - 0.1 * shrink,
-        across,
+        frequency_label,
         ha="center",
         va="top",
         fontsize=FONT_SIZE,

@@ -1,4 +1,4 @@
-"""Life, safety, heat and films over speed, a line per bearing or group alike."""
+"""Life, safety, heat and films over speed, a line per bearing or group of identical ones."""
 
 from __future__ import annotations
 
@@ -38,8 +38,8 @@ def life_figure(result: LifeResult) -> Figure:
     if np.isfinite(result.target):
         axes[0].axhline(result.target / HOUR, color=GREY, lw=0.9, ls="--", label="target")
     log_axis(axes[0])
-    for each in axes[1:3]:
-        with_zero(each, 1.05)
+    for panel in axes[1:3]:
+        with_zero(panel, 1.05)
     top_legend(figure, *axes)
     return figure
 
@@ -51,28 +51,28 @@ def heat_figure(result: LifeResult) -> Figure:
     contacts, film = result.inner_heat + result.outer_heat, result.film * 1e9
     _lines(axes, result, [result.heat, contacts, film, result.modified_life / HOUR])
     log_axis(axes[3])
-    for each in axes[:3]:
-        with_zero(each, 1.05)
+    for panel in axes[:3]:
+        with_zero(panel, 1.05)
     top_legend(figure, *axes)
     return figure
 
 
 def temperature_figure(result: LifeResult) -> Figure:
-    """Temperatures of balls and rings, and the life that goes with them."""
+    """Temperatures of balls and rings, and the life at these."""
     parts = {"balls": "ball", "inner ring": "inner", "outer ring": "outer"}
     names = [f"temperature, {part} [°C]" for part in parts]
     figure, axes = four_over_speed([*names, "life L10r [h]"], result.speed)
     degrees = [getattr(result, f"{name}_temperature") for name in parts.values()]
     _lines(axes, result, [*degrees, result.life / HOUR])
-    for each in axes[:3]:
-        with_zero(each, 1.05)
+    for panel in axes[:3]:
+        with_zero(panel, 1.05)
     log_axis(axes[3])
     top_legend(figure, *axes)
     return figure
 
 
 def _lines(panels: Sequence[Axes], result: LifeResult, drawn: Sequence[Array]) -> None:
-    """In each panel a colour, dashes and marks per bearing, those alike in all drawn once."""
+    """Draw a line per bearing in each panel; bearings identical in all panels share one."""
     rpm = result.speed * RPM.factor
     for axes, values in zip(panels, drawn, strict=True):
         shown = np.where(np.isfinite(values), values, np.nan)

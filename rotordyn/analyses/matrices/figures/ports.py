@@ -27,11 +27,11 @@ if TYPE_CHECKING:
 MOST = 6  # ports that are drawn
 ACROSS = 2
 EVEN = 200  # frequencies between which peaks may lie
-HIGH = 1e2  # times what is there: a higher peak, as without damping, leaves the panel
+HIGH = 1e2  # times that at even frequencies: a higher peak, as without damping, leaves the panel
 
 
 def ports_figure(result: MatricesResult) -> Figure:
-    """A panel per port, the first ones, a line for the first and the last speed with a state."""
+    """Panels of the first ports, each with a line for the first and the last speed with a state."""
     count = min(len(result.port), MOST)
     columns = min(count, ACROSS)
     rows = math.ceil(count / columns)
@@ -60,4 +60,4 @@ def _between(result: MatricesResult, port: int) -> float:
     """The highest receptance of a port at evenly spaced frequencies."""
     even = result.max_frequency * np.arange(1, EVEN + 1) / EVEN
     curves = np.abs(result.receptance[:, port])
-    return max(float(np.nanmax(np.interp(even, result.frequency, one))) for one in curves)
+    return max(float(np.nanmax(np.interp(even, result.frequency, curve))) for curve in curves)

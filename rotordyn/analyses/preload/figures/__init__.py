@@ -26,7 +26,7 @@ def figures(case: Described, result: Any, _: Mapping[str, Any]) -> Iterator[Job]
 
 
 def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
-    """Sum of the preloads, and the way of every sleeve."""
+    """Sum of the preloads, and the shift of every sleeve."""
     result, rpm = variant.result, variant.result.speed * RPM.factor
     if not result.bearing or variant.spindle is None:
         return

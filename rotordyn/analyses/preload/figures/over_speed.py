@@ -63,7 +63,7 @@ def contacts_figure(result: PreloadResult) -> Figure:
     )
     giga = GIGAPASCAL.factor
     drawn = [
-        [factor * each for each in pair]
+        [factor * values for values in pair]
         for pair, factor in (
             ((result.inner_angle, result.outer_angle), DEGREE.factor),
             ((result.inner_pressure, result.outer_pressure), giga),
@@ -71,21 +71,21 @@ def contacts_figure(result: PreloadResult) -> Figure:
             ((result.inner_grip, result.outer_grip), 1.0),
         )
     ]
-    names = merged(result.bearing, *(each for pair in drawn for each in pair))
-    for each, pair in zip(axes, drawn, strict=True):
-        _inner_outer(each, result.speed * RPM.factor, names, pair)
+    names = merged(result.bearing, *(values for pair in drawn for values in pair))
+    for panel, pair in zip(axes, drawn, strict=True):
+        _inner_outer(panel, result.speed * RPM.factor, names, pair)
     if np.nanmax(result.outer_pressure * giga, initial=0.0) > 0.8 * WARNING_PRESSURE * giga:
         axes[1].axhline(WARNING_PRESSURE * giga, color=GREY, lw=0.9, ls="--", label="limit 4.2 GPa")
-    for each in axes:
-        with_zero(each, 1.05)
-        mark_few_points(each)
+    for panel in axes:
+        with_zero(panel, 1.05)
+        mark_few_points(panel)
     top_legend(figure, *axes)
     return figure
 
 
 def _shifts(axes: Axes, result: PreloadResult) -> None:
-    """Of every body, those alike drawn once; where a stop closes between two speeds its sleeve
-    stands from there on, and of the others nothing is known."""
+    """Draw the shift of every body, identical ones once. Where a stop closes between two speeds,
+    its sleeve keeps its position from there on, and the lines of other bodies are broken."""
     position = result.position * MICROMETRE.factor
     for name, column in merged(result.body, position):
         body = result.body[column]
@@ -96,7 +96,7 @@ def _shifts(axes: Axes, result: PreloadResult) -> None:
 
 
 def _forces(axes: Axes, result: PreloadResult) -> None:
-    """Springs solid, stops dashed, friction dotted, marks per sleeve; the stop's speed marked."""
+    """Draw forces of springs solid, of stops dashed, of friction dotted; mark closing speeds."""
     rpm = result.speed * RPM.factor
     for place, name in enumerate(result.sleeve):
         look = {"color": CYCLE[place % len(CYCLE)], **marked(place)}
@@ -115,12 +115,12 @@ def _forces(axes: Axes, result: PreloadResult) -> None:
 def from_closing(
     rpm: Array, values: Array, result: PreloadResult, sleeve: int, there: float | None = None
 ) -> tuple[Array, Array]:
-    """Speeds and values with the speed between them at which the stop of a sleeve closes and what
-    is ``there``; None: what is beyond, as of its shift and its spring, which stay."""
+    """Insert the speed at which the stop of a sleeve closes, with the value ``there``; None: the
+    value at the next speed, as for its shift and spring force, which then stay constant."""
     closes, speed = float(result.stop_speed[sleeve]), result.speed
     k = int(np.searchsorted(speed, closes))
-    between = 0 < k < len(speed) and speed[k] > closes and len(speed) >= LEAST_POINTS
-    if not between or result.stop_force[k - 1, sleeve] or not result.stop_reached[k, sleeve]:
+    inside = 0 < k < len(speed) and speed[k] > closes and len(speed) >= LEAST_POINTS
+    if not inside or result.stop_force[k - 1, sleeve] or not result.stop_reached[k, sleeve]:
         return rpm, values
     k = int(np.searchsorted(rpm, closes * RPM.factor))
     value = values[k] if there is None else there
@@ -130,7 +130,7 @@ def from_closing(
 def _inner_outer(
     axes: Axes, rpm: Array, names: Sequence[tuple[str, int]], races: Sequence[Array]
 ) -> None:
-    """Inner race solid, outer race dashed, a colour and marks per bearing or group alike."""
+    """Draw inner races solid, outer ones dashed, a colour per bearing or identical group."""
     for place, (name, column) in enumerate(names):
         for dash, (race, values) in enumerate(zip(("inner", "outer"), races, strict=True)):
             look = {**line_of(column, dash), **marked(place)}
@@ -139,8 +139,8 @@ def _inner_outer(
 
 def _finish(axes: Sequence[Axes], result: PreloadResult) -> None:
     for speed in result.stop_speed[np.isfinite(result.stop_speed)]:
-        for each in axes[:3]:
-            each.axvline(speed * RPM.factor, **STOP)
-    for each in axes:
-        mark_few_points(each)
-        legend(each)
+        for panel in axes[:3]:
+            panel.axvline(speed * RPM.factor, **STOP)
+    for panel in axes:
+        mark_few_points(panel)
+        legend(panel)

@@ -44,13 +44,13 @@ LINES = (
     ("normal_stress", "torsion_stress", "von_mises_stress"),
 )
 SPEEDS = 3
-ALIKE = 1e-9  # of the largest: nothing that could be seen
+ALIKE = 1e-9  # of the largest: smaller differences are invisible
 _LONGEST = 16  # letters of a name
 _LEGEND = 6.0  # [mm] above the names
 
 
 class Curve(NamedTuple):
-    """A result at one of its speeds, and what the legend calls it."""
+    """A result at one of its speeds, with its name in the legend."""
 
     name: str
     result: SectionForcesResult
@@ -58,22 +58,22 @@ class Curve(NamedTuple):
 
     @property
     def x(self) -> NDArray[np.float64]:
-        """Stations [mm]; where a load jumps, twice."""
+        """Stations [mm]; twice where a point load acts."""
         return self.result.cut * MILLIMETRE.factor
 
     def values(self, quantity: str) -> NDArray[np.float64]:
-        """A quantity as printed; a twist that is rounding beside the deflection is none."""
+        """Values in printed units; a twist of no more than rounding of the deflection is zero."""
         factor = declared(self.result)[quantity].metadata["printed"].factor
         values = getattr(self.result, quantity)[self.row] * factor
         if quantity == "twist":
             bent = np.hypot(*(getattr(self.result, name)[self.row] for name in LINES[0]))
-            whole = np.abs(self.result.twist[self.row]) * np.ptp(self.result.cut)
-            values = np.where(whole > ALIKE * bent.max(), values, 0.0)
+            arc = np.abs(self.result.twist[self.row]) * np.ptp(self.result.cut)
+            values = np.where(arc > ALIKE * bent.max(), values, 0.0)
         return np.asarray(values)
 
 
 def diagrams_figure(result: SectionForcesResult, spindle: Spindle | None) -> Figure:
-    """N, Ty, Tz above Mt, My, Mz over the station, at up to three speeds where they differ."""
+    """Draw N, Ty, Tz above Mt, My, Mz over the station, at up to three speeds if they differ."""
     return curves_figure(speeds_shown(result), spindle)
 
 
@@ -129,20 +129,20 @@ def elastic_line_figure(result: SectionForcesResult, spindle: Spindle | None) ->
 
 
 def speeds_shown(result: SectionForcesResult) -> list[Curve]:
-    """First, middle and last speed with a solution; one where all are alike."""
+    """First, middle and last speed with a solution; the last alone where all are equal."""
     rows = np.flatnonzero(np.isfinite(result.torque).all(axis=1))
     picked = rows[evenly(rows.size, SPEEDS)]
-    if all(_alike(getattr(result, name)[picked]) for name in FORCES):
+    if all(_equal(getattr(result, name)[picked]) for name in FORCES):
         picked = picked[-1:]
     return [Curve(f"{result.speed[k] * RPM.factor:.0f} rpm", result, int(k)) for k in picked]
 
 
-def _alike(values: NDArray[np.float64]) -> bool:
+def _equal(values: NDArray[np.float64]) -> bool:
     return float(np.ptp(values, axis=0).max()) <= ALIKE * float(np.abs(values).max())
 
 
 def _draw(axes: Axes, curves: Sequence[Curve], quantities: Sequence[str], *, fill: bool) -> None:
-    """Broken lines through both ends of every element: jumps come out upright."""
+    """Draw polylines through both ends of every element, which makes jumps vertical."""
     axes.axhline(0.0, color=BLACK, lw=0.7)
     largest = 0.0
     for place, (curve, quantity) in enumerate((c, q) for c in curves for q in quantities):
@@ -159,13 +159,13 @@ def _draw(axes: Axes, curves: Sequence[Curve], quantities: Sequence[str], *, fil
 
 
 def stations_of(result: SectionForcesResult, spindle: Spindle | None) -> list[stations.Mark]:
-    """What holds the shaft, its joints and named points [mm]; names at one station share it."""
-    named: dict[float, list[str]] = {}
+    """Stations [mm] of supports, joints and named points; names at one station are joined."""
+    by_station: dict[float, list[str]] = {}
     for name, x in zip(result.support, result.support_station, strict=True):
-        named.setdefault(round(float(x) * 1e3, 6), []).append(name)
+        by_station.setdefault(round(float(x) * 1e3, 6), []).append(name)
     joints = {joint.name: joint.x for joint in spindle.joints} if spindle else {}
     for name, x in (joints | dict(spindle.points) if spindle else {}).items():
-        names = named.setdefault(round(x * 1e3, 6), [])
+        names = by_station.setdefault(round(x * 1e3, 6), [])
         if name not in names:
             names.append(name)
-    return [(x, shortened(", ".join(names), _LONGEST)) for x, names in sorted(named.items())]
+    return [(x, shortened(", ".join(names), _LONGEST)) for x, names in sorted(by_station.items())]

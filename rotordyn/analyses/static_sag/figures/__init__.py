@@ -16,7 +16,7 @@ from rotordyn.results.headline import Curve, curves_of
 
 code = partial(Code, __name__)
 
-SEEN = 1e-6  # of the largest deflection
+SEEN = 1e-6  # of the largest deflection: smaller ones are not drawn
 
 
 def figures(case: Described, result: Any, _: Mapping[str, Any]) -> Iterator[Job]:
@@ -30,13 +30,13 @@ def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
     result = variant.result
     row = int(np.flatnonzero(np.isfinite(result.slope).all(axis=1))[0])
     rpm = float(result.speed[row]) * RPM.factor
-    held = variant.spindle.connections if variant.spindle else ()
-    places = sorted((each.x * MILLIMETRE.factor, each.name) for each in held)
+    supports = variant.spindle.connections if variant.spindle else ()
+    places = sorted((support.x * MILLIMETRE.factor, support.name) for support in supports)
     count = len(result.direction)
     at_speeds = [
         *curves_of(result, "deflection", along="station", panels="direction", figure="static_sag")
     ]
-    most = float(np.nanmax(np.abs(result.deflection[row])))
+    largest = float(np.nanmax(np.abs(result.deflection[row])))
     for curve in at_speeds[row * count : (row + 1) * count]:
-        if np.abs(curve.y).max() > SEEN * most * MICROMETRE.factor:
+        if np.abs(curve.y).max() > SEEN * largest * MICROMETRE.factor:
             yield curve._replace(places=places, along=f"{curve.along} at {rpm:.0f} rpm")

@@ -23,13 +23,13 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
-SEEN = 1e-9  # of the largest deflection
+SEEN = 1e-9  # of the largest deflection: less is no sag
 WIDE = 145.0  # [mm] of a panel
 
 
 def line_figure(variants: Sequence[Shown]) -> Figure:
     """Deflection over station, a panel for every direction that sags, a line per variant or, of
-    one machine, at the slowest and the fastest speed; gauges with what they read."""
+    one machine, at the slowest and the fastest speed; gauges with their readings."""
     names = _directions(variants)
     tall, gap = 62.0, 6.0
     figure = new_figure(168.0, 14.0 + (tall + gap) * len(names))
@@ -52,17 +52,17 @@ def line_figure(variants: Sequence[Shown]) -> Figure:
 
 
 def _directions(variants: Sequence[Shown]) -> list[str]:
-    """Those in which something sags; y where nothing does."""
+    """Directions in which a variant sags; y where none does."""
     first: StaticSagResult = variants[0].result
-    most = np.array([np.nanmax(np.abs(v.result.deflection), axis=(0, 1)) for v in variants]).max(
+    largest = np.array([np.nanmax(np.abs(v.result.deflection), axis=(0, 1)) for v in variants]).max(
         axis=0
     )
-    drawn = [n for n, m in zip(first.direction, most, strict=True) if m > SEEN * most.max()]
+    drawn = [n for n, m in zip(first.direction, largest, strict=True) if m > SEEN * largest.max()]
     return drawn or [first.direction[0]]
 
 
 def _lines(variants: Sequence[Shown]) -> list[tuple[Shown, int, str]]:
-    """What is drawn: variant, row of the speed, words of the legend."""
+    """Lines to draw: variant, row of the speed, name in the legend."""
     lines = []
     for variant in variants:
         result: StaticSagResult = variant.result
@@ -88,33 +88,33 @@ def _draw(axes: Axes, variant: Shown, row: int, name: str, place: int, title: st
     if result.gauge.any():
         look = {"color": colour(place), "lw": 0.8, "ls": ":", "label": f"test bar, {title}"}
         axes.plot((start - gauges) * MILLIMETRE.factor, bar, **look)
-    read = (start - result.gauge) * MILLIMETRE.factor
-    at = result.sag[row, :, k] * MICROMETRE.factor
-    axes.plot(read, at, ls="none", marker="v", ms=5.0, color=colour(place), label=f"gauge, {title}")
+    x = (start - result.gauge) * MILLIMETRE.factor
+    sags = result.sag[row, :, k] * MICROMETRE.factor
+    axes.plot(x, sags, ls="none", marker="v", ms=5.0, color=colour(place), label=f"gauge, {title}")
 
 
 def _write(axes: Axes, variant: Shown, row: int, name: str) -> None:
-    """What the gauges read above them, below where the shaft lies above; texts beside each
-    other."""
+    """Write the readings of the gauges above them, or below where the shaft lies above; texts are
+    spread so that none overlap."""
     result: StaticSagResult = variant.result
     if variant.spindle is None:
         return
     k = result.direction.index(name)
-    read = (variant.spindle.points[result.point] - result.gauge) * MILLIMETRE.factor
-    values, runout = (of[row, :, k] * MICROMETRE.factor for of in (result.sag, result.runout))
-    words = [f"{value:.3g} µm".replace("-", "−") for value in values]
+    gauge_x = (variant.spindle.points[result.point] - result.gauge) * MILLIMETRE.factor
+    values, runout = (field[row, :, k] * MICROMETRE.factor for field in (result.sag, result.runout))
+    texts = [f"{value:.3g} µm".replace("-", "−") for value in values]
     if result.ring:
-        words = [f"{each}\nrunout {r:.3g} µm" for each, r in zip(words, runout, strict=True)]
+        texts = [f"{sag}\nrunout {r:.3g} µm" for sag, r in zip(texts, runout, strict=True)]
     left, right = axes.get_xlim()
-    sizes = [max(map(len, each.split("\n"))) * stations.LETTER + 1.5 for each in words]
-    places = spread(read.tolist(), [size * (right - left) / WIDE for size in sizes], left, right)
+    sizes = [max(map(len, text.split("\n"))) * stations.LETTER + 1.5 for text in texts]
+    places = spread(gauge_x.tolist(), [size * (right - left) / WIDE for size in sizes], left, right)
     shaft = result.deflection[row, :, k] * MICROMETRE.factor
-    for x, y, said, size in zip(places, values, words, sizes, strict=True):
-        apart = np.abs(result.station * MILLIMETRE.factor - x)
-        near = shaft[apart <= 0.5 * size * (right - left) / WIDE]
-        below = near.size > 0 and float(near.mean()) > y
+    for x, y, text, size in zip(places, values, texts, sizes, strict=True):
+        distance = np.abs(result.station * MILLIMETRE.factor - x)
+        covered = shaft[distance <= 0.5 * size * (right - left) / WIDE]
+        below = covered.size > 0 and float(covered.mean()) > y
         axes.annotate(
-            said,
+            text,
             (float(x), y),
             (0.0, -6.0 if below else 6.0),
             textcoords="offset points",
@@ -126,8 +126,8 @@ def _write(axes: Axes, variant: Shown, row: int, name: str) -> None:
 
 
 def _mark(axes: Axes, spindle: Spindle | None) -> None:
-    """A thin line where a bearing or support is, with its name, names beside each other."""
-    held = sorted(spindle.connections, key=lambda each: each.x) if spindle else []
-    marks = [(each.x * MILLIMETRE.factor, each.name) for each in held]
+    """Mark bearings and supports with a thin line and their names, which do not overlap."""
+    supports = sorted(spindle.connections, key=lambda support: support.x) if spindle else []
+    marks = [(support.x * MILLIMETRE.factor, support.name) for support in supports]
     stations.mark(axes, marks)
     stations.name(axes, marks, WIDE, upright=False, foot="baseline")

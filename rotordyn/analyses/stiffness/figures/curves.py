@@ -61,8 +61,8 @@ def force_figure(result: StiffnessResult, point: str = "", speeds: int = 3) -> F
     Marks on the line of the full bearing model: balls that lose their contact there.
     """
     figure = new_figure(168.0, 80.0)
-    known = np.flatnonzero(np.isfinite(result.deflection).any(axis=(1, 2)))
-    picked = known[evenly(known.size, speeds)]
+    solved = np.flatnonzero(np.isfinite(result.deflection).any(axis=(1, 2)))
+    picked = solved[evenly(solved.size, speeds)]
     boxes = grid_boxes(figure, 1, len(picked), margins=(15.0, 6.0, 12.0, 9.0), gaps=(6.0, 0.0))
     largest = float(np.nanmax(result.deflection[picked])) * MICROMETRE.factor
     where = f" at {point}" if point else ""
@@ -86,19 +86,19 @@ def force_figure(result: StiffnessResult, point: str = "", speeds: int = 3) -> F
 
 
 def _contact_losses(axes: Axes, result: StiffnessResult, index: int) -> None:
-    """Where the first ball of each bearing carries nothing, with its number: to the right of the
-    curves or below them, in the order of the forces and as far apart as they can be read."""
-    lost = result.unloading_force[index]
-    above = 0.0
-    for k in [k for k in np.argsort(lost) if np.isfinite(lost[k])]:
+    """Mark where the first ball of each bearing loses contact, with its number; labels are to the
+    right of the curves or below them, in the order of forces, with legible spacing."""
+    force = result.unloading_force[index]
+    height = 0.0
+    for k in [k for k in np.argsort(force) if np.isfinite(force[k])]:
         curve = result.deflection[index, result.variant.index("nonlinear")]
-        at = float(np.interp(lost[k], result.force, curve)) * MICROMETRE.factor
-        axes.plot(at, lost[k], color=CYCLE[0], marker="o", ms=3.0, mfc="white", zorder=3.0)
-        above = max(float(lost[k] / result.force[-1]), above + APART)
+        x = float(np.interp(force[k], result.force, curve)) * MICROMETRE.factor
+        axes.plot(x, force[k], color=CYCLE[0], marker="o", ms=3.0, mfc="white", zorder=3.0)
+        height = max(float(force[k] / result.force[-1]), height + APART)
         axes.annotate(
             f"{result.bearing[k]}: ball {result.unloaded_ball[index, k]:.0f}",
-            xy=(at, lost[k]),
-            xytext=(BESIDE, above - (0.5 if at < 0.5 * axes.get_xlim()[1] else 2.5) * APART),
+            xy=(x, force[k]),
+            xytext=(BESIDE, height - (0.5 if x < 0.5 * axes.get_xlim()[1] else 2.5) * APART),
             textcoords="axes fraction",
             va="center",
             fontsize=0.85 * FONT_SIZE,
