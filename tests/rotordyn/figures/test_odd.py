@@ -57,6 +57,23 @@ def test_a_single_speed_is_seen() -> None:
     assert all(handle.get_marker() != "None" for handle in axes.get_legend().get_lines())
 
 
+def test_contact_losses_need_the_curve_of_the_full_model() -> None:
+    """A second stop solves that model even where it is not one of the variants."""
+    whole = samples.stiffness()
+    others = replace(
+        whole,
+        variant=whole.variant[1:],
+        deflection=whole.deflection[:, 1:],
+        tangent=whole.tangent[:, 1:],
+        secant=whole.secant[:, 1:],
+    )
+    marked, plain = (
+        [len(axes.texts) for axes in force_figure(result).axes] for result in (whole, others)
+    )
+    assert any(marked)
+    assert not any(plain)
+
+
 def test_two_speeds_are_marks_and_four_a_line() -> None:
     for speeds, line in ((2, "None"), (3, "None"), (4, "-")):
         sum_of_preloads = preload_figure(samples.preload(speeds), samples.spindle()).axes[1]

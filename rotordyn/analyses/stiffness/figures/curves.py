@@ -86,8 +86,11 @@ def force_figure(result: StiffnessResult, point: str = "", speeds: int = 3) -> F
 
 
 def _contact_losses(axes: Axes, result: StiffnessResult, index: int) -> None:
-    """Mark where the first ball of each bearing loses contact, with its number; labels are to the
-    right of the curves or below them, in the order of forces, with legible spacing."""
+    """Mark where the first ball of each bearing loses contact, with its number, if the curve of the
+    full bearing model is drawn; labels are to the right of the curves or below them, in the order
+    of forces, with legible spacing."""
+    if "nonlinear" not in result.variant:
+        return
     force = result.unloading_force[index]
     height = 0.0
     for k in [k for k in np.argsort(force) if np.isfinite(force[k])]:
