@@ -90,8 +90,7 @@ class Modes:
             return EPSILON * np.sqrt(np.einsum("...kn,...nk->...k", left, spread))
 
     def receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:
-        """Return receptances of paired rows (…, pairs, f) at i·``omega``, (f,) or (…, f) of each
-        system.
+        """Return receptances of paired rows (…, pairs, f) at i·``omega``, (f,) or (…, f) by system.
 
         ``responses`` and ``excitations`` (pairs, n). ``omega`` of Im < 0 is a force that grows.
         """
