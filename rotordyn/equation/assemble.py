@@ -68,7 +68,7 @@ def assemble(
     ``force`` (s, elements of the shown mesh) [N]: axial force in the spindle's shaft, tension
     positive; None: neither it nor the drawbar affects bending. ``softened``: Ω² M_ω is subtracted
     from the stiffness in the fixed frame, a formulation that no physics supports. ``pull``: share
-    of the drawbar's tension that holds it straight.
+    of the drawbar's tension that acts in its string stiffness.
     """
     speed, n = state.speed, sum(c.size for c in components)
     stiffness, damping = np.zeros((2, len(speed), n, n))
@@ -157,16 +157,16 @@ def _loss(linear: Linear, connections: Sequence[Connection]) -> Hysteresis | Non
     if not spindle.hysteretic:
         return None
     n = linear.size
-    fixed, turning, across = np.zeros((1, n, n)), np.zeros((n, n)), np.zeros((n, n))
+    fixed, rotating, across = np.zeros((1, n, n)), np.zeros((n, n)), np.zeros((n, n))
     for component, at in zip(linear.components, linear.slices, strict=True):
         if component.spindle is not None:
-            target = turning if component.bends else fixed[0]
+            target = rotating if component.bends else fixed[0]
             target[at, at] += spindle.loss_factor * component.stiffness
     for y, z in planes_of(linear):
         in_y, in_z = linear.slices[y], linear.slices[z]
-        across[in_y, in_z] += turning[in_y, in_y]
-        across[in_z, in_y] -= turning[in_z, in_z]
+        across[in_y, in_z] += rotating[in_y, in_y]
+        across[in_z, in_y] -= rotating[in_z, in_z]
     for connection in connections:
         if connection.link.loss_factor:
             fixed = fixed + connection.link.loss_factor * connection.stiffness
-    return Hysteresis(fixed, turning, across)
+    return Hysteresis(fixed, rotating, across)

@@ -41,12 +41,12 @@ def slope_rows(shaft: Shaft, shown: Mesh, way: str) -> tuple[list[Rows], Indices
 def geometric_stiffness(slopes: Slopes, force: Array) -> Array:
     """Return (s, m, m) of coordinates with ``slopes`` (places, m) under the axial ``force`` (s,
     elements) [N], tension positive, by its few independent fields; NaN where it is unknown."""
-    known = np.isfinite(force).all(axis=1)
-    states, size, fields = np.linalg.svd(force[known], full_matrices=False)
+    finite = np.isfinite(force).all(axis=1)
+    states, size, fields = np.linalg.svd(force[finite], full_matrices=False)
     clear = size > NOTHING * size[0] if size.size else size > 0.0
     rows, at_places = slopes.rows, fields[clear][:, slopes.element]
     unit = np.array([rows.T @ (field[:, None] * rows) for field in at_places])
     unit = unit.reshape(len(at_places), rows.shape[1], rows.shape[1])
     total = np.full((len(force), *unit.shape[1:]), np.nan)
-    total[known] = np.tensordot(states[:, clear] * size[clear], unit, 1)
+    total[finite] = np.tensordot(states[:, clear] * size[clear], unit, 1)
     return total

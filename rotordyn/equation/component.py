@@ -200,10 +200,10 @@ class Component:
             slopes = self.placed(count, rows)
             couplings.append(Coupling(slopes.T @ slopes, self.cutoff, statics=True))
         if self.coarse is not None and self.large:
-            coarser, here, there = self.coarse
+            coarser, fine_dofs, coarse_dofs = self.coarse
             vectors = coarser.vectors[:, ~coarser.is_rigid]
             start = np.zeros((len(self.dofs), vectors.shape[1]))
-            start[self.local(here)] = vectors[coarser.local(there)]
+            start[self.local(fine_dofs)] = vectors[coarser.local(coarse_dofs)]
             basis = enriched(mass, stiffness, rigid, start, couplings)
         else:
             if self.inertial:

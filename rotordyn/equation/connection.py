@@ -49,8 +49,8 @@ class Connection(NamedTuple):
     @property
     def damped(self) -> bool:
         """True if some motion of the coordinates is damped."""
-        moved = self.motions.any(axis=1)
-        return bool(self.matrices.damping[:, moved][:, :, moved].any())
+        moving = self.motions.any(axis=1)
+        return bool(self.matrices.damping[:, moving][:, :, moving].any())
 
     def strained(self, least: float) -> Array:
         """Return the rows of ``motions`` with a stiffness of ``least`` or more in the coordinates,

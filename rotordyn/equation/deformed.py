@@ -41,13 +41,13 @@ def on_deformed(
     front, rear, sheared = forces.front.copy(), forces.rear.copy(), []
     curvature = bend[..., [3, 2]] * np.array([1.0, -1.0]) / h
     slope, half = bend[..., :2] / h, 0.5 * h * curvature
-    for section, moment, along in (
+    for section, moment, slope_there in (
         (front, later + couple, slope - half),
         (rear, later, slope + half),
     ):
         section[..., [5, 4]] += moment
         shear = section.copy()
-        shear[..., 1:3] -= force * along + pulled
+        shear[..., 1:3] -= force * slope_there + pulled
         sheared.append(shear)
     loads = np.broadcast_to(line, (*axial.shape, 2, 3)).copy()
     loads[..., 1:] += (force * curvature)[..., None, :]

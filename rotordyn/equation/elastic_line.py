@@ -67,7 +67,7 @@ def elastic_line(
     bent_y, bent_z = (my, -tz, -qz / 2.0, -rz / 6.0), (mz, ty, qy / 2.0, ry / 6.0)
     thy = _from_front(tilted_y + strain(give.bending, 0, *bent_y))
     thz = _from_front(tilted_z + strain(give.bending, 0, *bent_z))
-    bow_y, bow_z = (strain(give.bending, 1, *each) for each in (bent_y, bent_z))
+    bow_y, bow_z = (strain(give.bending, 1, *series) for series in (bent_y, bent_z))
     y = gap_y + h * (thz[..., :-1] + tilted_z) + bow_z + strain(give.shear, 0, ty, qy, ry / 2.0)
     z = gap_z - h * (thy[..., :-1] + tilted_y) - bow_y + strain(give.shear, 0, tz, qz, rz / 2.0)
     stretch = gap_x + strain(give.stretch, 0, n, qx, rx / 2.0)

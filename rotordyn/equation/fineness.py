@@ -33,8 +33,8 @@ PRECISE = 1e-5  # accuracy below which gyroscopic forces get static modes
 HEAVIEST = 1e3  # of the cut-off: no coordinate has a higher frequency
 OWN_MASS = 0.1 * HEAVIEST  # of the cut-off: a fictitious mass changes lower frequencies by 1 %
 FINER = 2.0  # cut-off of a finer model over that of the one before; 1.5 may add no mode
-HIGHEST = 10
-FAR, HALVINGS = 1e12, 30
+HIGHEST = 10  # degree of elements
+FAR, HALVINGS = 1e12, 30  # of a start, in ``resolved``; of the interval
 SAFETY = 5.0  # required error over the one aimed at
 _DEGREES = np.arange(1, HIGHEST + 1)
 _CONE = np.array(
@@ -46,7 +46,7 @@ _CONE = np.array(
 _FACTOR = np.array(
     [0.5 * (math.factorial(n) / math.factorial(2 * n)) ** 2 / (2 * n + 1) for n in _DEGREES]
 )
-SLOWEST = 1e-6  # rad/s: slower bands have powers that are no numbers
+SLOWEST = 1e-6  # rad/s: least band
 
 
 @dataclass(frozen=True, slots=True)

@@ -176,11 +176,11 @@ class FreeMotions:
             folded = self._folded(responses), self._folded(excitations)
             return self._each(evaluate(omega, *folded))
         both = np.concatenate([omega, -omega.conj()], axis=-1)
-        whole = self._in_planes(lambda r, e: evaluate(both, r, e), responses, excitations)
-        return self._each(whole)
+        total = self._in_planes(lambda r, e: evaluate(both, r, e), responses, excitations)
+        return self._each(total)
 
     def turning_receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:
-        """Return the same in a frame that rotates with the shaft: ω there is whirl at ω + Ω."""
+        """Return the same in a frame rotating with the shaft, where ω is whirl at ω + Ω."""
 
         def evaluate(rows: Array, other: Array) -> Complex:
             parts = []
@@ -289,5 +289,5 @@ def responding(linear: Linear) -> FreeMotions:
 def _circular(matrix: Matrix, half: int) -> Matrix:
     """Return A − iB of [[A, B], [−B, A]] (s, n, n), acting on r = y + i z; real where the planes
     are not coupled."""
-    along, across = matrix[:, :half, :half], matrix[:, :half, half:]
-    return np.asarray(along - 1j * across) if across.any() else along
+    direct, coupling = matrix[:, :half, :half], matrix[:, :half, half:]
+    return np.asarray(direct - 1j * coupling) if coupling.any() else direct

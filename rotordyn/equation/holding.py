@@ -108,5 +108,5 @@ def holds_twice(spindle: Spindle) -> bool:
 
 def free_names(motions: Array) -> str:
     """Return the names of the directions in which free motions move."""
-    moved = np.abs(motions).max(axis=1, initial=0.0) > ZERO
-    return ", ".join(name for name, moves in zip(DIRECTIONS, moved, strict=True) if moves)
+    moving = np.abs(motions).max(axis=1, initial=0.0) > ZERO
+    return ", ".join(name for name, moves in zip(DIRECTIONS, moving, strict=True) if moves)

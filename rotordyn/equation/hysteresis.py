@@ -126,23 +126,23 @@ class Hysteretic:
         )
         size = np.abs(plain.pole)
         frequency = np.where(swings(plain.pole), np.abs(plain.pole.imag), size)
-        near = (frequency < self.ceiling) & ~plain.at_rest()
-        near &= (plain.pole.imag >= 0.0) | self.whirling
-        count = near.sum(axis=1)
+        chosen = (frequency < self.ceiling) & ~plain.at_rest()
+        chosen &= (plain.pole.imag >= 0.0) | self.whirling
+        count = chosen.sum(axis=1)
         require_corrections(int(count.sum()), int(count.max()), plain.vector.shape[1])
         rows = range(len(self.spin))
-        doubtful = [row for row in rows if not self._correct(solved, row, near[row])]
+        doubtful = [row for row in rows if not self._correct(solved, row, chosen[row])]
         if not doubtful:
             return solved
-        whole = self._part(np.array(doubtful))._of_whole_systems()
+        replacement = self._part(np.array(doubtful))._of_whole_systems()
         for name in ("pole", "vector", "participation"):
-            getattr(solved, name)[doubtful] = getattr(whole, name)
+            getattr(solved, name)[doubtful] = getattr(replacement, name)
         return solved
 
-    def _correct(self, solved: Modes, row: int, near: Flags) -> bool:
-        """Replace modes ``near`` by those with loss at one speed; return False, and change nothing,
-        where one of them is not clearly the same mode."""
-        column, spin = np.flatnonzero(near), self.spin[row]
+    def _correct(self, solved: Modes, row: int, chosen: Flags) -> bool:
+        """Replace ``chosen`` modes by those with loss at one speed; return False, and change
+        nothing, where one of them is not clearly the same mode."""
+        column, spin = np.flatnonzero(chosen), self.spin[row]
         if not column.size:
             return True
         before, plain = solved.pole[row, column], solved.vector[row][:, column]
@@ -150,9 +150,9 @@ class Hysteretic:
         if self.loss.turns:
             frequency = before.imag if self.whirling else np.abs(before.imag)
             close = np.abs(frequency - spin) <= WIDE * np.abs(frequency)
-            still = signs[close] * (0, 1, 1)
+            fixed_signs = signs[close] * (0, 1, 1)
             at[close], vector[close], converged = corrected(
-                self._answering(row, still), self.damping[row], at[close], vector[close]
+                self._answering(row, fixed_signs), self.damping[row], at[close], vector[close]
             )
             if not converged.all():
                 return False
@@ -188,7 +188,7 @@ class Hysteretic:
         return Hysteretic(*system, self.spin[rows], plain=self._plain.at(rows))
 
     def _of_whole_systems(self) -> Modes:
-        """Return the same by all modes of every set of signs."""
+        """Return modes of free motion from all modes of every set of signs."""
         signs = self._signs(self._plain.pole)
         signs[..., 0] = 0
         solved = self._continued([signs])

@@ -19,8 +19,8 @@ def joint_parts(shaft: Shaft) -> Iterator[Part]:
     """Yield springs, and dampers, which rotate with their rotor."""
     for joint in shaft.spindle.joints:
         node = shaft.mesh.node_of(joint.x)
-        for way, directions in WAYS.items():
-            stiffness, damping = getattr(joint, way), getattr(joint, f"{way}_damping")
+        for kind, directions in WAYS.items():
+            stiffness, damping = getattr(joint, kind), getattr(joint, f"{kind}_damping")
             if math.isinf(stiffness):
                 continue
             for name in directions:

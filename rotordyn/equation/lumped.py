@@ -24,8 +24,8 @@ def lumped_parts(shaft: Shaft) -> Iterator[Part]:
     polar = np.array([body.polar_inertia for body in bodies])
     diametral = np.array([body.diametral_inertia for body in bodies])
     zero = np.zeros_like(mass)
-    for way, inertia in (("x", mass), ("thx", polar)):
-        rows = nodes[:, [position(way)]]
+    for direction, inertia in (("x", mass), ("thx", polar)):
+        rows = nodes[:, [position(direction)]]
         yield Part("mass", rows, rows, inertia[:, None, None])
     planes = {w: nodes[:, [position(name) for name in names]] for w, (names, _) in PLANES.items()}
     for rows in planes.values():

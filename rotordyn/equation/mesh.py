@@ -19,7 +19,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import SPINDLE
 
 COINCIDENT = 1.5e-7  # of the shaft's length: closer stations are one node
-ELEMENTS_OVER_LENGTH = 50
+ELEMENTS_OVER_LENGTH = 50  # of a shaft, by default
 MOST_NODES = 100_000
 SOLID = ("young_modulus", "poisson_ratio", "density")
 
@@ -143,11 +143,11 @@ class Mesh:
         return node
 
     def node_at(self, rotor: str, x: float) -> int:
-        """Return the node of a rotor at station ``x`` [m], among those of all; errors as above."""
+        """Return the node of a rotor at ``x`` [m] among those of all; raises as ``node_of``."""
         return self.spans[rotor].start + self.of_rotors[rotor].node_of(x)
 
     def within(self, rotor: str, nodes: Iterable[int]) -> tuple[int, ...]:
-        """Return those of ``nodes`` that are a rotor's, as its own mesh counts them."""
+        """Return those of ``nodes`` that belong to a rotor, numbered as in its own mesh."""
         span = self.spans[rotor]
         return tuple(n - span.start for n in nodes if span.start <= n < span.stop)
 

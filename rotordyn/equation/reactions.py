@@ -19,7 +19,7 @@ import numpy as np
 from rotordyn.arrays import Array, Flags
 from rotordyn.errors import InvalidInput
 
-WORST_CONDITION = 1e13
+WORST_CONDITION = 1e13  # number above which reactions are lost in rounding
 
 
 @dataclass(frozen=True, eq=False, slots=True)

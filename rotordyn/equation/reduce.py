@@ -25,7 +25,7 @@ from rotordyn.errors import InvalidInput
 from rotordyn.numerics.sparse import LARGE, Matrix
 from rotordyn.numerics.threads import linear_algebra_alone
 
-LEAST_MODES = 8
+LEAST_MODES = 8  # kept whatever the cutoff, rigid ones included
 MOST_DENSE = 6000  # DOF; four matrices of that size are 1.2 GB
 MOST_ENTRIES = 200_000_000  # of all vectors of a large body, 1.6 GB
 ROUNDING = 1e-15  # of a diagonal entry: a smaller pivot is zero
@@ -279,8 +279,8 @@ def _holding(rigid: Array, scale: Array) -> list[int]:
 
 
 def _by_lapack(body: _Body, least: int, cutoff: float) -> tuple[Array, Array, tuple[Array, Array]]:
-    """Return elastic modes up to the cutoff, at least so many: values (k,), vectors (n, k); and of
-    those above y (n − r, k) and ω [rad/s]: their vectors are L⁻ᵀ y ω without rigid motions."""
+    """Return elastic modes up to the cutoff, at least ``least``: values (k,), vectors (n, k); and
+    of those above y (n − r, k) and ω [rad/s]: their vectors are L⁻ᵀ y ω without rigid motions."""
     pushed = body.pushed[body.free]
     inertia = body.mass[body.free][:, body.free] - pushed @ pushed.T
     inner = body.upwards @ inertia @ body.upwards.T  # L⁻¹ (M − M R Rᵀ M) L⁻ᵀ
@@ -294,7 +294,7 @@ def _by_lapack(body: _Body, least: int, cutoff: float) -> tuple[Array, Array, tu
 
 
 def _by_lanczos(body: _Body, below: int, least: int, cutoff: float) -> tuple[Array, Array]:
-    """Return the same, so many known to be ``below`` the cutoff."""
+    """Return elastic modes as ``_by_lapack``, of which ``below`` lie below the cutoff."""
     from scipy.sparse.linalg import LinearOperator, eigsh
 
     transposed = body.root.T.tocsr()

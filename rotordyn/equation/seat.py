@@ -45,6 +45,6 @@ def turn(matrix: ArrayLike, thrust: int | Indices) -> Array:
     """
     values = np.asarray(matrix, dtype=np.float64)
     signs = np.where(np.asarray(thrust)[..., None] < 0, HALF_TURN_ABOUT_Y, 1.0)
-    turned = np.zeros((*values.shape[:-2], 6, 6))
-    turned[..., _PLACES[:, None], _PLACES] = signs[..., :, None] * values * signs[..., None, :]
-    return turned
+    rotated = np.zeros((*values.shape[:-2], 6, 6))
+    rotated[..., _PLACES[:, None], _PLACES] = signs[..., :, None] * values * signs[..., None, :]
+    return rotated

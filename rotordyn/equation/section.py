@@ -10,7 +10,7 @@ from rotordyn.equation.mesh import Mesh
 from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.spindle import Spindle
 
-MIDDLE, ENDS = np.array([0.0]), np.array([-1.0, 0.0, 1.0])
+MIDDLE, ENDS = np.array([0.0]), np.array([-1.0, 0.0, 1.0])  # ξ of the middle; with the ends
 
 
 def sheared(spindle: Spindle) -> bool:

@@ -126,12 +126,12 @@ class Shaft:
         return bending.shear_parameter(self.mesh.length, bend, shear)
 
     def _rod_parts(self) -> Iterator[Part]:
-        for way, section in (("x", axial), ("thx", torsion)):
+        for direction, section in (("x", axial), ("thx", torsion)):
             for n in np.unique(self.rod_degree).tolist():
                 chosen = np.flatnonzero(self.rod_degree == n)
                 properties = (values[chosen] for values in section(self.mesh, rod.quadrature(n)[0]))
                 mass, stiffness = rod.rod_matrices(self.mesh.length[chosen], *properties, degree=n)
-                rows, moves = self.rows(way, chosen)
+                rows, moves = self.rows(direction, chosen)
                 yield Part("mass", rows, rows, _between(moves, mass))
                 yield Part("stiffness", rows, rows, _between(moves, stiffness))
 
@@ -169,7 +169,9 @@ class Shaft:
         )
         for name in NAMES[way]:
             for shaft, rows in ((self, fine), (coarse, coarser)):
-                jumps = [number for (_, each), number in shaft.jump.items() if each == name]
+                jumps = [
+                    number for (_, direction), number in shaft.jump.items() if direction == name
+                ]
                 rows += [shaft.node[:, position(name)], np.array(jumps, dtype=np.intp)]
         return np.concatenate(fine), np.concatenate(coarser)
 

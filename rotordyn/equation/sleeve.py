@@ -34,9 +34,11 @@ class Sleeves:
         self.spindle, self.fine = spindle, fine
         self.dofs: dict[tuple[str, str], int] = {}
         for sleeve in spindle.sleeves:
-            for way, stiffness in springs(sleeve):
+            for direction, stiffness in springs(sleeve):
                 if math.isfinite(stiffness):
-                    self.dofs[sleeve.name, way] = dofs.add(f"sleeve {sleeve.name}", [way]).item()
+                    self.dofs[sleeve.name, direction] = dofs.add(
+                        f"sleeve {sleeve.name}", [direction]
+                    ).item()
 
     def of(self, spindle: Spindle) -> Sleeves:
         """Return the same DOF on the springs of another spindle."""
@@ -49,18 +51,22 @@ class Sleeves:
         sleeve = self.spindle.sleeve_of(seat)
         if sleeve is None:
             return {}
-        return {way: number for (name, way), number in self.dofs.items() if name == sleeve.name}
+        return {
+            direction: number
+            for (name, direction), number in self.dofs.items()
+            if name == sleeve.name
+        }
 
     def parts(self) -> Iterator[Part]:
         """Yield mass, and the spring across the axis."""
         for sleeve in self.spindle.sleeves:
-            for way, stiffness in springs(sleeve):
-                if (sleeve.name, way) in self.dofs:
-                    rows = _one(self.dofs[sleeve.name, way])
+            for direction, stiffness in springs(sleeve):
+                if (sleeve.name, direction) in self.dofs:
+                    rows = _one(self.dofs[sleeve.name, direction])
                     least = SOFT * self._bearings(sleeve)
                     mass = sleeve.mass or max(stiffness, least) / self.fine.weightless**2
                     yield Part("mass", rows, rows, np.full((1, 1, 1), mass))
-                    if way != "x":
+                    if direction != "x":
                         yield Part("stiffness", rows, rows, np.full((1, 1, 1), stiffness))
 
     def _bearings(self, sleeve: Sleeve) -> float:

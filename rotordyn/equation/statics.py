@@ -19,7 +19,7 @@ from rotordyn.machine.rotor import Place
 from rotordyn.machine.support import SPINDLE
 
 PLANE = (0, 1, 4)  # x, y, θz of a bearing's five DOF
-EVERY = (0, 1, 2, 3, 4)
+EVERY = (0, 1, 2, 3, 4)  # all of them
 NOTHING = 1e-8  # of the root of the largest stiffness: a motion with less is free
 ROUNDING = 1e-12  # of a stiffness matrix with unit diagonal
 
@@ -81,9 +81,9 @@ def _acting(linear: Linear, loads: Across) -> Array:
     force = np.zeros(linear.size)
     for place, load in loads.points:
         force += load @ linear.displaced(linear.structure.node(*place))
-    for way, pull in zip(("y", "z"), loads.pull, strict=True):
+    for plane, pull in zip(("y", "z"), loads.pull, strict=True):
         if pull:
-            force += pull * _falling(linear, way)
+            force += pull * _falling(linear, plane)
     return force
 
 

@@ -98,8 +98,8 @@ class Structure:
         self._slopes: dict[int, Slopes] = {}
 
     def on_springs_of(self, spindle: Spindle) -> Structure:
-        """Return the same with the sleeve springs of a ``spindle`` that differs in these alone;
-        shafts and housings, and what is solved of them, are shared."""
+        """Return the structure with the sleeve springs of a ``spindle`` that differs in these
+        alone; shafts and housings, and what is solved of them, are shared."""
         if [springs(sleeve) for sleeve in spindle.sleeves] == [
             springs(sleeve) for sleeve in self.spindle.sleeves
         ]:
@@ -130,9 +130,9 @@ class Structure:
 
     def _seat_link(self, place: int, seat: BearingSeat) -> Link:
         dofs, motions = self._against(seat.name, [(SPINDLE, seat.x, 1.0)])
-        for way, number in self.sleeves.under(seat.name).items():
+        for direction, number in self.sleeves.under(seat.name).items():
             dofs = np.append(dofs, number)
-            motions = np.concatenate([motions, -np.eye(6)[:, [position(way)]]], axis=1)
+            motions = np.concatenate([motions, -np.eye(6)[:, [position(direction)]]], axis=1)
         return Link(seat.name, dofs, motions, seat_matrices(seat, place))
 
     def _support_link(self, support: LinearSupport) -> Link:
@@ -170,9 +170,11 @@ class Structure:
         dofs = {int(self.shafts[r].node[node, position(name)]) for r, node, name in ports}
         for shaft in self.shafts.values():
             for joint in shaft.spindle.joints:
-                if any(getattr(joint, f"{way}_damping") for way in WAYS):
-                    at = shaft.mesh.node_of(joint.x)
-                    dofs |= {number for (node, _), number in shaft.jump.items() if node == at}
+                if any(getattr(joint, f"{kind}_damping") for kind in WAYS):
+                    joint_node = shaft.mesh.node_of(joint.x)
+                    dofs |= {
+                        number for (node, _), number in shaft.jump.items() if node == joint_node
+                    }
         return np.array(sorted(dofs), dtype=np.intp)
 
     def _loaded(self) -> Iterator[tuple[str, float, Iterable[str]]]:

@@ -71,6 +71,6 @@ def answers_alike(matrix: Array) -> bool:
 
     It must not change under a quarter turn about x: y → z, z → −y, and tilts likewise.
     """
-    turned = _QUARTER_TURN @ matrix @ _QUARTER_TURN.T
-    size = np.maximum(np.abs(matrix), np.abs(turned))
-    return bool((np.abs(matrix - turned) <= ALIKE * size).all())
+    rotated = _QUARTER_TURN @ matrix @ _QUARTER_TURN.T
+    size = np.maximum(np.abs(matrix), np.abs(rotated))
+    return bool((np.abs(matrix - rotated) <= ALIKE * size).all())

@@ -202,7 +202,7 @@ class _Sweep:
         return {side: self._chosen(self.followed & (self.whirl == side)) for side in (-1.0, 1.0)}
 
     def _chosen(self, wanted: Flags) -> tuple[Indices, Steps]:
-        """Return the same of the modes ``wanted`` (s, k)."""
+        """Return columns and steps of the modes ``wanted`` (s, k)."""
         count = wanted.sum(axis=1, keepdims=True)
         order = np.where(wanted, self.pole.imag, np.inf).argsort(axis=1, kind="stable")
         columns = order[:, : int(count.max(initial=0))]
@@ -222,8 +222,8 @@ class _Sweep:
     def branches(
         self, linear: Linear, subsystem: int, side: float, expected: Complex
     ) -> list[Branch]:
-        """Return those that whirl to ``side``, at the speeds of the case; poles ``expected`` (s, k)
-        at the next speed."""
+        """Return branches that whirl to ``side``, at the speeds of the case; poles ``expected`` (s,
+        k) at the next speed."""
         columns, steps = self.sides[side]
         if self.constant:
             path = np.tile(np.arange(columns.shape[1]), (len(columns), 1))
@@ -277,7 +277,7 @@ class _Sweep:
 
 
 def _filled(values: NDArray[Any], columns: int, axis: int) -> NDArray[Any]:
-    """Return values with so many columns along an axis, those of absent modes included."""
+    """Return values padded to ``columns`` along an axis, with those of absent modes."""
     padding = [(0, 0)] * values.ndim
     padding[axis] = 0, columns - values.shape[axis]
     absent: Any = complex(np.nan, np.nan) if np.iscomplexobj(values) else np.nan
@@ -311,7 +311,7 @@ def whirl_degree(linear: Linear, vector: Complex) -> Array:
 
 
 def circular_share(y: Complex, z: Complex) -> Array:
-    """Return the same of motions (s, n, …) in plane y and in plane z."""
+    """Return forward less backward share of motions (s, n, …) in plane y and plane z."""
     forward, backward = np.abs(y + 1j * z) ** 2, np.abs(y - 1j * z) ** 2
     return np.asarray((forward - backward).sum(axis=1) / (forward + backward).sum(axis=1))
 

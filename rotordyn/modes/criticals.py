@@ -41,7 +41,7 @@ from rotordyn.scene.scene import Scene
 
 SLOWEST = 1e-9  # [rad/s]: slower lines are not searched for crossings
 BEYOND = 1.2  # times the highest frequency of lines: up to there modes are followed
-NARROW = 0.01  # of the range of speeds: shorter pieces of tables
+NARROW = 0.01  # of the range of speeds: shorter pieces of tables are not solved directly
 APART = 1e-9  # [rad/s]: closer speeds are one
 SAME, ALIKE = 1e-7, 0.5  # of the speed, MAC: one root found twice
 RESONANT = math.sqrt(0.5)  # damping ratio above which no response has a peak
@@ -77,8 +77,8 @@ def criticals_up_to(
 def critical_speeds(
     scene: Scene, band: Band, branches: Sequence[Branch], names: Sequence[str]
 ) -> list[Critical]:
-    """Return those of all ``engine_orders`` of every rotor between the speeds of the case, up to
-    ``band.max_frequency``, ascending by rotor, order and speed."""
+    """Return critical speeds of all ``engine_orders`` of every rotor between the speeds of the
+    case, up to ``band.max_frequency``, ascending by rotor, order and speed."""
     lines = exciting(scene.spindle.ratios, band.engine_orders)
     bending = {branch.subsystem for branch in branches if branch.kind == "bending"}
     starts = [start for line in lines for start in _crossed(branches, line)]
@@ -226,5 +226,5 @@ def _named(
         whirl = whirl_along(linear, vector, degree)
     bends = across(linear, state.vector)
     excited = line.excites(excited_by(kind, whirl, isotropic=linear.isotropic, across=bends))
-    ratio = 0.0 - state.pole.real / abs(state.pole)
+    ratio = 0.0 - state.pole.real / abs(state.pole)  # no negative zero
     return Critical(name, speed, line, kind, whirl, float(ratio), excited)

@@ -28,7 +28,7 @@ from rotordyn.scene.scene import Scene
 
 Modes = tuple[list[Branch], tuple[str, ...]]
 SAME = 0.1  # of a pole: a mode without one as close in the finer model vanishes there
-ROUNDING = 1e-12
+ROUNDING = 1e-12  # least error reported
 CHANCE = 3.0  # a change larger than expected rounding by more is not due to rounding
 
 
@@ -71,7 +71,7 @@ def mode_errors(
 
 
 def _unconverged(scene: Scene, band: Band, branches: list[Branch], errors: ModeErrors) -> str:
-    """Return in which way the accuracy required is not reached, as a sentence, or ""."""
+    """Return how the model misses the accuracy required, as a sentence, or ""."""
     accuracy, judged = scene.conditions.accuracy, _judged(scene, branches, band)
     most = _worst(errors, judged)
     rounded = _largest(errors.rounding, judged)
@@ -144,11 +144,11 @@ def _compared(scene: Scene, band: Band, branches: list[Branch]) -> ModeErrors:
             column = [branches[k].column[row] for k in chosen]
             errors[2, index, chosen] = scene.system(subsystem).rounding[row, column]
             for what, unpaired in (("vanish", poles[~paired]), ("appear", extra)):
-                turning = np.abs(unpaired.imag - side * spin[row])
-                judged = np.minimum(unpaired.imag, turning) < highest
+                in_frame = np.abs(unpaired.imag - side * spin[row])
+                judged = np.minimum(unpaired.imag, in_frame) < highest
                 judged &= -unpaired.real <= OVERDAMPED * np.abs(unpaired)
                 if judged.any():
-                    unconverged = _sentence(scene, row, what, turning[judged][0])
+                    unconverged = _sentence(scene, row, what, in_frame[judged][0])
     at = scene.speed[scene.usable] ** 2  # the gyroscopic part of an error is proportional to it
     interpolated = np.full((3, len(at), len(branches)), np.nan)
     for k, branch in enumerate(branches):
@@ -168,8 +168,8 @@ def _change(here: Complex, there: Complex) -> Array:
 
 def _spin(scene: Scene) -> Array:
     """Return the speed (usable,) of the frame in which modes are shown [rad/s]."""
-    turning = scene.conditions.formulation == ROTATING
-    return np.asarray(scene.speed[scene.usable] * turning)
+    rotating = scene.conditions.formulation == ROTATING
+    return np.asarray(scene.speed[scene.usable] * rotating)
 
 
 def _sentence(scene: Scene, row: int, what: str, omega: float) -> str:

@@ -23,7 +23,7 @@ from rotordyn.numerics.follow import mac
 from rotordyn.numerics.modes import swings
 from rotordyn.scene.scene import Scene
 
-ITERATIONS = 20
+ITERATIONS = 20  # secants, at most
 CLOSE = 1e-11  # of the frequency: the condition holds
 ROUNDED = 1e-7  # likewise, where no other speed is closer; more is no root in the range
 NEARNESS = 2.0  # of the MAC that a distance as large as the frequency costs
@@ -96,8 +96,8 @@ def solved(
 
 
 def _next(start: Start, at: float, miss: float) -> float:
-    """Return the secant through the last two speeds, at first the speed at which the frequency
-    found would be the multiple; not beyond the ends of the search."""
+    """Return the speed by the secant through the last two, at first the speed of which the
+    frequency would be the multiple; not beyond the ends of the search."""
     before, speed = start.before, at + miss / start.line.size
     if before is not None and before[1] != miss:
         speed = at - miss * (at - before[0]) / (miss - before[1])

@@ -19,17 +19,17 @@ LARGEST = 1e-7  # of f(0): largest residual of a solution
 def fixed_points(function: Callable[[Array], Array], size: int, states: int) -> tuple[Array, Flags]:
     """Return x = f(x) (states, size) of an affine ``function`` of (states, size), each state by
     itself, and where it is one (states,). One that changes few directions takes few steps."""
-    begin = function(np.zeros((states, size)))
-    if not np.isfinite(begin).all():
-        return begin, np.zeros(states, dtype=bool)
-    norm = np.linalg.norm(begin, axis=1)
+    at_zero = function(np.zeros((states, size)))
+    if not np.isfinite(at_zero).all():
+        return at_zero, np.zeros(states, dtype=bool)
+    norm = np.linalg.norm(at_zero, axis=1)
     scale = np.where(norm > 0.0, norm, 1.0)[:, None]
-    basis = [begin / scale]
+    basis = [at_zero / scale]
     columns = np.zeros((states, MOST + 1, MOST))
     right = np.zeros((states, MOST + 1))
     right[:, 0] = 1.0
     for k in range(min(MOST, size)):
-        new = basis[k] - (function(basis[k]) - begin)
+        new = basis[k] - (function(basis[k]) - at_zero)
         for _ in range(2):  # twice: rounding leaves one pass not orthogonal
             for j, vector in enumerate(basis):
                 share = (vector * new).sum(axis=1)

@@ -17,7 +17,7 @@ from rotordyn.arrays import Array, Complex, Indices, Matrix
 from rotordyn.numerics.threads import in_threads
 
 ROUNDING = 1e-14  # of the largest entry of a coordinate's row
-HELD = 1e-6  # of a coordinate's stiffness, for what remains with the others free: else digits go
+HELD = 1e-6  # of a coordinate's stiffness: less, with the others free to follow, loses digits
 SLOWEST = 1e-8  # of the fastest: slower poles lose digits
 LEAST = 8  # systems to a thread
 

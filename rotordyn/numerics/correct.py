@@ -6,7 +6,7 @@ import numpy as np
 
 from rotordyn.arrays import Complex, Flags, Matrix
 
-STEPS = 10
+STEPS = 10  # at most
 MET = 1e-12  # of a pole: a smaller step is rounding
 BESIDE = 1e-9  # of a pole: shift for inverse iteration
 ASIDE = 1e-14  # of a pole: shift, as P at the pole may be singular and fail the whole batch

@@ -25,8 +25,8 @@ def zero_crossings(x: Array, y: Array) -> list[float]:
 
 
 def above_zero(x: Array, y: Array) -> Array:
-    """First and last (r, 2) x of the ranges in which y(x) is above zero, up to the last finite
-    sample beside others.
+    """Return first and last x (r, 2) of the ranges in which y(x) is positive, up to the last finite
+    sample next to others.
 
     >>> above_zero(np.arange(5.0), np.array([-1.0, 1.0, 3.0, 5.0, np.nan])).round(9).tolist()
     [[0.5, 3.0]]
@@ -51,7 +51,7 @@ def _zero(x: Array, y: Array, k: int) -> float:
     fitted = np.polynomial.polynomial.polyfit((x[near] - middle) / width, y[near], len(near) - 1)
     descending, positive = fitted[::-1].tolist(), bool(y[k] > 0.0)
     low, high = -0.5, 0.5
-    for _ in range(60):
+    for _ in range(60):  # down to rounding
         centre = 0.5 * (low + high)
         if (
             reduce(lambda sum_, coefficient: sum_ * centre + coefficient, descending) > 0.0

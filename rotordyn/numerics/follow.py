@@ -11,7 +11,7 @@ import numpy as np
 from rotordyn.arrays import Array, Complex, Flags, Indices
 from rotordyn.numerics.repeated import joined, near, spanning
 
-LEAST_MAC = 0.2
+LEAST_MAC = 0.2  # score below which two vectors are not matched
 NEARNESS = 0.3  # of the MAC that the farthest pole costs
 CLEAR = 0.7  # MAC from which a vector is identified
 FAR = 1e3  # ratio of root gaps from which they locate nothing
@@ -42,8 +42,8 @@ class Steps:
 
     def of(self, step: int) -> tuple[Complex, Complex]:
         """Return vectors and poles of one step, (n, k) and (k,)."""
-        many = self.many[step]
-        return self.vectors[step, :, :many], self.poles[step, :many]
+        count = self.many[step]
+        return self.vectors[step, :, :count], self.poles[step, :count]
 
     @cached_property
     def alike(self) -> Array:
@@ -118,8 +118,8 @@ def _score(alike: Array, at: Complex, pole: Complex) -> Array:
 
 def _shared(last: Complex, before: Complex, fresh: Complex, pole: Complex) -> Array:
     """Return the MAC of columns (k, l), those of repeated poles together."""
-    alike = mac(spanning(last, before), spanning(fresh, pole))
-    return np.minimum(joined(before) @ alike @ joined(pole), 1.0)
+    assurance = mac(spanning(last, before), spanning(fresh, pole))
+    return np.minimum(joined(before) @ assurance @ joined(pole), 1.0)
 
 
 def doubts(at: Array, steps: Steps, within: float, narrowest: float) -> list[float]:
@@ -130,16 +130,16 @@ def doubts(at: Array, steps: Steps, within: float, narrowest: float) -> list[flo
     vectors change their order, at the crossing, until it is bracketed so closely that a veering as
     narrow would show. No step becomes smaller than ``narrowest``.
     """
-    alike, first, second = steps.alike, steps.poles[:-1].imag, steps.poles[1:].imag
+    assurance, first, second = steps.alike, steps.poles[:-1].imag, steps.poles[1:].imag
     wide = (np.diff(at) > 2.0 * narrowest) & (steps.many[:-1] > 0) & (steps.many[1:] > 0)
     if not wide.any():
         return []
     unclear = [
-        (alike.max(axis=2 - side) < CLEAR) & (frequency < within)
+        (assurance.max(axis=2 - side) < CLEAR) & (frequency < within)
         for side, frequency in enumerate((first, second))
     ]
     veers = wide & (unclear[0].any(axis=1) | unclear[1].any(axis=1))
-    after = np.take_along_axis(second, alike.argmax(axis=2), axis=1)
+    after = np.take_along_axis(second, assurance.argmax(axis=2), axis=1)
     share = np.where(wide, _crossings(first, after, first < within), np.inf)
     for k in np.flatnonzero(veers).tolist():
         poles = [steps.of(k)[1], steps.of(k + 1)[1]]

@@ -22,7 +22,7 @@ from rotordyn.arrays import Complex, Flags, Matrix
 from rotordyn.numerics.conservative import SLOWEST, whirls
 from rotordyn.numerics.threads import in_threads
 
-STEPS = 7
+STEPS = 7  # of refinement, at most
 FAR = 0.5  # of a vector: a larger share of another one is no small correction
 SAME = 1e-7  # last correction: vectors err by its square, and poles, once polished, by less
 CHAIN = 16  # systems, the first solved by itself: so threads do not change a digit
@@ -82,14 +82,16 @@ class _Solution:
         """Solve a similar system; None where the vectors are too far, or two poles too close."""
         pole, vector, left = self.modes
         if self.before is not None:  # extrapolated linearly
-            ahead = (2.0 * now - then for now, then in zip(self.modes, self.before, strict=True))
-            pole, vector, left = ahead
+            extrapolated = (
+                2.0 * now - then for now, then in zip(self.modes, self.before, strict=True)
+            )
+            pole, vector, left = extrapolated
         n, diagonal = len(stiffness), slice(None, None, 2 * len(stiffness) + 1)
         both = np.concatenate([damping, stiffness]).astype(complex)
         for _ in range(STEPS):
-            pushed = both @ vector
-            slope = vector * pole + pushed[:n]
-            residual = slope * pole + pushed[n:]
+            forces = both @ vector
+            slope = vector * pole + forces[:n]
+            residual = slope * pole + forces[n:]
             products = (left @ np.hstack([vector, slope, residual])).reshape(2 * n, 3, 2 * n)
             defect, change = pole[:, None] * products[:, 0] + products[:, 1], products[:, 2]
             pole = pole - change.diagonal() / defect.diagonal()

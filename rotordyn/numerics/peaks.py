@@ -21,7 +21,7 @@ ENDLESS = 1e3  # times the sample next to it: no damping limits a higher peak
 BENT = 0.2  # of a logarithm: a sample farther off a straight line is not on it
 SEEN = 1e-4  # of the largest amplitude of a curve: its curvature where it is less is ignored
 NOTHING = 1e-9  # of the largest of all curves: a curve with less is rounding
-ROUNDS = 8
+ROUNDS = 8  # of further samples, at most
 
 
 def vertex(x: Array, amplitude: Array) -> tuple[Array, Array]:
@@ -93,11 +93,11 @@ def sampled(
         further = np.setdiff1d(np.concatenate([_higher(x, curves), _bent(x, curves)]), x)
         if not further.size:
             break
-        more = solve(further)
+        new_values = solve(further)
         x = np.concatenate([x, further])
         order = np.argsort(x)
         x = x[order]
-        values = [np.concatenate([a, b])[order] for a, b in zip(values, more, strict=True)]
+        values = [np.concatenate([a, b])[order] for a, b in zip(values, new_values, strict=True)]
     return x, values
 
 

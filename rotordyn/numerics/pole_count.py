@@ -64,7 +64,7 @@ def counted(omega: Array, values: Complex, deviation: Array, most: int) -> Count
 
 
 def of_count(omega: Array, values: Complex, deviation: Array, count: int) -> Refined:
-    """Return the fit of the same with ``count`` poles."""
+    """Return the fit with ``count`` poles of the same samples."""
     *_, last = _growing(omega, values, 1.0 / deviation, count)
     return last
 
@@ -100,8 +100,8 @@ def _without_idle(
 def _strength(omega: Array, fit: Refined, weight: Array) -> Array:
     """Return what each pole adds to the samples over their deviation (m,)."""
     s, pole = 1j * omega[:, None], fit.fit.pole
-    ahead, back = 1.0 / np.abs(s - pole) ** 2, 1.0 / np.abs(s - pole.conj()) ** 2
-    shared = (np.abs(weight) ** 2).T @ (ahead + back)
+    direct, conjugate = 1.0 / np.abs(s - pole) ** 2, 1.0 / np.abs(s - pole.conj()) ** 2
+    shared = (np.abs(weight) ** 2).T @ (direct + conjugate)
     return np.asarray((np.abs(fit.fit.residue.T) ** 2 * shared).sum(axis=0))
 
 

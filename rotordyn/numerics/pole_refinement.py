@@ -27,9 +27,9 @@ from rotordyn.numerics.vector_fit import (
     stacked,
 )
 
-ROUNDS = 20
+ROUNDS = 20  # Gauss-Newton steps, at most
 BETTER = 1e-7  # of the sum of squares: a smaller gain ends the steps
-HALVINGS = 6
+HALVINGS = 6  # of a step, at most
 
 
 class Refined(NamedTuple):

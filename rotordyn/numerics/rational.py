@@ -15,7 +15,7 @@ from rotordyn.arrays import Array, Complex
 MOST = 40  # interpolated samples: twice as many as pairs of poles, and one
 SAMPLES = 1000  # of a response, uniform: more take time without gain
 REAL = 1e-3  # of a pole: one with a smaller imaginary part is real
-LEAST_DAMPING = 1e-6
+LEAST_DAMPING = 1e-6  # of |pole|: least distance of poles left of the axis
 
 
 class RationalPoles(NamedTuple):

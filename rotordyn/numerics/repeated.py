@@ -12,13 +12,13 @@ APART = 0.3  # least singular value of unit vectors that are clearly independent
 
 
 def near(values: Array | Complex, share: float = REPEATED) -> Flags:
-    """Return which values (…, k) are within a share of one another, or the same (…, k, k)."""
+    """Return which values (…, k) are within a share of one another (…, k, k), each of itself."""
     rows, columns = values[..., :, None], values[..., None, :]
     return np.asarray(np.abs(rows - columns) <= share * np.abs(rows))
 
 
 def joined(values: Array | Complex, share: float = REPEATED) -> Flags:
-    """Return the same of values (k,), also by those between them (k, k)."""
+    """Return which values (k,) are as near, also by those between them (k, k)."""
     linked = near(values, share)
     linked |= linked.T
     while (linked @ linked != linked).any():

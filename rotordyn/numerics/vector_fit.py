@@ -15,7 +15,7 @@ import numpy as np
 
 from rotordyn.arrays import Array, Complex, Flags
 
-ROUNDS = 12
+ROUNDS = 12  # in which poles are moved, at most
 MOVED = 1e-10  # of a pole: a smaller change ends the rounds
 LEAST_DAMPING = 1e-6  # of |pole|: least distance of poles left of the axis
 
@@ -41,9 +41,13 @@ def vector_fit(omega: Array, values: Complex, weight: Array, start: Complex) -> 
     size = max(float(np.abs(weight * values).max()), 1e-300)
     weight = np.broadcast_to(weight / size, values.shape)
     for _ in range(ROUNDS):
-        moved = _moved(omega, values, pole, weight)
-        change = np.abs(moved - pole).max() / np.abs(moved).max() if len(moved) == len(pole) else 1
-        pole = moved
+        new_pole = _moved(omega, values, pole, weight)
+        change = (
+            np.abs(new_pole - pole).max() / np.abs(new_pole).max()
+            if len(new_pole) == len(pole)
+            else 1
+        )
+        pole = new_pole
         if change < MOVED:
             break
     return residues(omega, values, pole, weight)
@@ -72,9 +76,9 @@ def real_unknowns(pole: Complex) -> Flags:
 def columns(omega: Array | Complex, pole: Complex) -> Complex:
     """Return functions of real coefficients (f, 2 per pair and 1 per real pole)."""
     s = 1j * omega[:, None]
-    ahead, back = 1.0 / (s - pole), 1.0 / (s - pole.conj())
-    first = np.where(pole.imag == 0.0, ahead, ahead + back)
-    both = np.stack([first, 1j * (ahead - back)], axis=2)
+    direct, conjugate = 1.0 / (s - pole), 1.0 / (s - pole.conj())
+    first = np.where(pole.imag == 0.0, direct, direct + conjugate)
+    both = np.stack([first, 1j * (direct - conjugate)], axis=2)
     return np.ascontiguousarray(both[:, real_unknowns(pole)])
 
 
@@ -104,8 +108,8 @@ def _moved(omega: Array, values: Complex, pole: Complex, weight: Array) -> Compl
         if not np.abs(entry).any():
             continue
         basis = share[:, None] * unweighted
-        whole = np.concatenate([basis, share[:, None].astype(complex)], axis=1)
-        block = stacked(np.concatenate([whole, -entry[:, None] * basis], axis=1))
+        extended = np.concatenate([basis, share[:, None].astype(complex)], axis=1)
+        block = stacked(np.concatenate([extended, -entry[:, None] * basis], axis=1))
         target = stacked((share * entry)[:, None])
         r = np.asarray(np.linalg.qr(np.concatenate([block, target], axis=1), mode="r"))
         rows.append(r[n:-1, n:-1])

@@ -20,8 +20,8 @@ from rotordyn.preload.mounting import mounted_preloads, spring_way
 from rotordyn.preload.on_films import Films
 from rotordyn.preload.shortening import seat_shifts, support_shift, thermal_shifts
 
-HOUSING = -1
-SHAFT = 0
+HOUSING = -1  # in place of a body that carries an outer ring
+SHAFT = 0  # index among the bodies
 
 
 @dataclass(frozen=True, eq=False, slots=True)

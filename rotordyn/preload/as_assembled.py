@@ -37,8 +37,8 @@ def springs(spindle: Spindle, joined: Arrangement, rest: Array) -> Springs:
     position of the supports.
     """
     fixed = np.array([False, *map(rigid, joined.pushes)])
-    along = sum(support.along for support in spindle.supports)
-    stiffness = np.array([[along, *(push.stiffness for push in joined.pushes)]])
+    axial = sum(support.along for support in spindle.supports)
+    stiffness = np.array([[axial, *(push.stiffness for push in joined.pushes)]])
     shift = np.multiply.outer(joined.support_shift, np.arange(len(fixed)) == SHAFT)
     return Springs(_preloads(joined), np.where(fixed, 0.0, stiffness), rest - shift, fixed)
 

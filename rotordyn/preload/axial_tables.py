@@ -114,9 +114,9 @@ def _made(requests: Sequence[_Request]) -> list[_Solved]:
 
     model, law = requests[0].model, requests[0].law
     points = [np.empty((3, 0)) for _ in requests]  # deflection, load, slope
-    more = [_first_points(request) for request in requests]
+    pending = [_first_points(request) for request in requests]
     for _ in range(ROUNDS):
-        sizes = [len(deflections) for deflections in more]
+        sizes = [len(deflections) for deflections in pending]
         if not sum(sizes):
             break
         static, growth, speed = (
@@ -124,7 +124,7 @@ def _made(requests: Sequence[_Request]) -> list[_Solved]:
             for values in zip(*((*r.growth, r.speed) for r in requests), strict=True)
         )
         displacement = np.zeros((sum(sizes), 5))
-        displacement[:, 0] = np.concatenate(more)
+        displacement[:, 0] = np.concatenate(pending)
         state = model.equilibrium(
             displacement=displacement,
             speed=speed,
@@ -143,7 +143,7 @@ def _made(requests: Sequence[_Request]) -> list[_Solved]:
             if valid.sum() < 2:
                 which = "a bearing of the spindle"
                 raise without_state(which, requests[k].speed, requests[k].growth[1])
-            more[k] = missed(*points[k][:, valid])
+            pending[k] = missed(*points[k][:, valid])
     return [_table(model, table) for table in points]
 
 

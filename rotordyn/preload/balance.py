@@ -216,6 +216,7 @@ class Balance:
         largest = np.abs(k).max(axis=(1, 2))[:, None]
         largest = np.where(largest > 0.0, largest, 1.0)
         soft = SOFT * (self.slack(point) | (self.dof != PLANE))[:, None]
+        # fixed rows as large as the others keep the matrix well conditioned
         k[:, diagonal, diagonal] += largest * np.where(fixed, 1.0, soft)
         return k
 
@@ -300,8 +301,8 @@ class Balance:
 
     def travel(self, coordinates: Array) -> Array:
         """Return the travel of each body from rest against its spring (speeds, bodies) [m]."""
-        moved = coordinates[:, len(self.rotor.point) :] - self.rest
-        return -self.network.arrangement.direction * moved
+        displacement = coordinates[:, len(self.rotor.point) :] - self.rest
+        return -self.network.arrangement.direction * displacement
 
 
 def _offset(spindle: Spindle, dof: tuple[int, ...]) -> Array:

@@ -15,7 +15,7 @@ BEYOND = 0.9  # largest opposing force at the end of a step, over the driving fo
 TOLERANCE = 1e-9  # of the largest force in the balance, and of the largest ball load
 TOGETHER = 20  # iterations of shaft and balls together
 APART = 60  # iterations with every bearing solved by itself
-HALVINGS = 8
+HALVINGS = 8  # of a step, at most
 
 
 def balanced(

@@ -59,11 +59,11 @@ class BearingIterates:
         from bearings.ring.iterate import iterate
 
         of = {}
-        for alike, balls in states.items():
+        for kind, balls in states.items():
             columns = {bearing: k for k, bearing in enumerate(balls.places)}
             places = [k for k, bearing in enumerate(bearings) if bearing in columns]
             at = np.array([columns[bearings[k]] for k in places])
-            of[alike] = places, iterate(balls.state.rows(np.ix_(rows, at)), ring)
+            of[kind] = places, iterate(balls.state.rows(np.ix_(rows, at)), ring)
         return cls(of)
 
     def __iter__(self) -> Iterator[tuple[list[int], Any]]:
@@ -89,8 +89,8 @@ class BearingIterates:
 
     def follows(self, before: BearingIterates) -> Flags:
         """True at speeds where every ball is on the branch of its place in ``before`` (speeds,)."""
-        near = [batch.follows(before.of[k][1]).all(axis=1) for k, (_, batch) in self.of.items()]
-        return np.all(near, axis=0)
+        followed = [batch.follows(before.of[k][1]).all(axis=1) for k, (_, batch) in self.of.items()]
+        return np.all(followed, axis=0)
 
     @property
     def imbalance(self) -> Array:

@@ -14,8 +14,8 @@ CONFIRMED = 1e-8  # of the largest force, for an equilibrium whose bearings are 
 DIGITS = 1e-13  # of the largest force: another step reduces a larger error
 BALLS = 1e-9  # of the largest ball load: its effect on the rings is of second order
 TOGETHER = 12  # iterations of bodies and balls together
-ITERATIONS = 60
-HALVINGS = 12
+ITERATIONS = 60  # with every bearing solved by itself
+HALVINGS = 12  # of a step, at most
 LONGEST_STEP = 50e-6  # m
 LEVEL = 1e-6  # relative increase of the error that counts as none, as rounding may cause
 

@@ -99,8 +99,8 @@ class Rubbing:
         friction = np.where(slips, np.sign(needed) * self.limit, self.force)
         free = (self.limit > 0.0) & ~held
         # friction along the motion would drive the body: it has turned, and sticks where it began
-        turned = friction * (position - self.begun) > self.limit * STILL
-        sticks = free & ~self.stuck & ~was & turned
+        reversing = friction * (position - self.begun) > self.limit * STILL
+        sticks = free & ~self.stuck & ~was & reversing
         leaves = free & was  # a body that leaves its stop begins to stick there
         place = np.where(sticks, self.begun, np.where(leaves, position, self.place))
         stuck = (self.stuck & ~slips) | sticks | leaves

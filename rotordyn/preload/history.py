@@ -176,10 +176,10 @@ def history(preload: PreloadState, reach: float) -> History:
     most = 2.0 * (reach + largest + float(np.abs(preload.network.springs.force).sum()))
     laws = BearingLaws(preload, joined, most)
     assembled = PreloadNetwork(as_mounted(joined), preload.network.springs)
-    near = assembled.deflection(preload.mounted.position)[0].tolist()
+    deflection = assembled.deflection(preload.mounted.position)[0].tolist()
     by_seat = preload.mounted_load().tolist()
     loads, models = zip(*((by_seat[b.seats[0]], b.model) for b in joined.bearings), strict=True)
-    bearings = zip(laws.at(0.0, warm=False)[0], models, loads, near, strict=True)
+    bearings = zip(laws.at(0.0, warm=False)[0], models, loads, deflection, strict=True)
     network = _network(preload, joined, np.array([deflection_of(*bearing) for bearing in bearings]))
 
     def load(at: Moment) -> Load:
@@ -310,7 +310,7 @@ class BearingLaws:
         return speed, warm and self.preload.temperatures is not None
 
     def _solve(self, keys: Iterable[tuple[float, bool]]) -> None:
-        """Solve those keys (speed, warm or not) that are not known yet."""
+        """Solve laws at those keys (speed, warm or not) that are new."""
         new = {key: self._bearings(*key) for key in keys if key not in self._known}
         flat = [bearing for bearings, _ in new.values() for bearing in bearings]
         speeds = [speed for (speed, _), (bearings, _) in new.items() for _ in bearings]

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-HERTZ = 2.0 / 3.0
+HERTZ = 2.0 / 3.0  # exponent of the approach over the load
 KNOWN = 3  # loads, through which a parabola passes
 NEARER = 24  # loads tried, at most
 CLOSE = 1e-3  # of the load at which a ball leaves: from there the parabola errs by far less

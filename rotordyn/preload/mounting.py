@@ -125,8 +125,8 @@ def class_offset(spindle: Spindle, sleeve: Sleeve, force: float) -> float:
 
 
 def _offset(spindle: Spindle, sleeve: Sleeve) -> float:
-    given = sleeve.spring.offset
-    return class_offset(spindle, sleeve, sleeve.spring.preload) if given is None else given
+    offset = sleeve.spring.offset
+    return class_offset(spindle, sleeve, sleeve.spring.preload) if offset is None else offset
 
 
 @dataclass(frozen=True, eq=False)

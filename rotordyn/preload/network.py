@@ -257,7 +257,9 @@ class Network:
         """Return residual forces of the free bodies, and the largest over the largest force."""
         residual = np.where(fixed, 0.0, self.forces(x, response))
         reference = (self.tandem * np.abs(response.load)).max(axis=1)
-        reference = reference + np.abs(self.springs.force).max(axis=1) + 1e-9
+        reference = (
+            reference + np.abs(self.springs.force).max(axis=1) + 1e-9
+        )  # finite without any load
         return residual, np.abs(residual).max(axis=1) / reference
 
 
@@ -283,7 +285,7 @@ class NetworkState:
         )
 
     def parts(self, rows: Sequence[int]) -> Iterator[NetworkState]:
-        """Yield the state of each machine side by side, of so many ``rows`` each."""
+        """Yield the state of each machine side by side; ``rows``: number of speeds of each."""
         if len(rows) == 1:
             yield self
             return

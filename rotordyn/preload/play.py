@@ -249,9 +249,9 @@ def axial_run_up(
     resting = [arrangement(spindle, np.zeros(1), force, law, t) for t in at_rest]
     mounted = _mounted(as_mounted(joined), curves)
     at = [
-        _at_speed(spindle, each, of_bearings, row, mounted)
-        for each in (*resting, joined)
-        for row, of_bearings in enumerate(curves.of(each))
+        _at_speed(spindle, arranged, of_bearings, row, mounted)
+        for arranged in (*resting, joined)
+        for row, of_bearings in enumerate(curves.of(arranged))
     ]
     passed = mounted
     reached = [passed := machine.solved(np.array([weight]), passed)[0] for machine in at]
@@ -268,8 +268,8 @@ def _mounted(resting: Arrangement, known: BearingCurves) -> Array:
     """Return the positions at rest under the stated preloads alone (bodies,) [m]."""
     curves = known.of(resting)[0]
     fixed = BearingGroup.on(HOUSING, resting, curves, 0)
-    pushed = sum(push.direction * push.preload for push in resting.pushes)
-    shaft = fixed.standing(pushed) if fixed.bearings else 0.0
+    preload = sum(push.direction * push.preload for push in resting.pushes)
+    shaft = fixed.standing(preload) if fixed.bearings else 0.0
     offsets = [
         BearingGroup.on(p.body, resting, curves, 0).standing(-p.direction * p.preload)
         for p in resting.pushes

@@ -16,11 +16,11 @@ from rotordyn.preload.network import Network, NetworkState
 
 OVERRUN = 1e-13  # m
 PULL = 1e-10  # of the largest preload: a stop that pulls less stays closed
-SAMPLES = 5
-ROUNDS = 24
+SAMPLES = 5  # speeds of a bracket that are solved at once
+ROUNDS = 24  # narrowings of a bracket, at most
 CLOSE = 1e-5  # relative width of the bracket in Ω² within which the local cubic is exact
 CLOSER = 1e-4  # share of the bracket that is searched next around the zero of the cubic
-EPS = 1e-12
+EPS = 1e-12  # relative width of a bracket in Ω² that is not narrowed further
 
 
 def with_stops(network: Network, limit: Array, start: Array) -> NetworkState:
@@ -75,12 +75,12 @@ def meeting_speeds(
     """
     released = limit.copy()
     released[:, push.body] = np.nan
-    known = dict(enumerate(zip(between**2, near, strict=True)))
+    positions = dict(enumerate(zip(between**2, near, strict=True)))
     searches = {k: _search(*ends) for k, ends in enumerate(between**2)}
     pending = {k: next(search) for k, search in searches.items()}
     speeds = np.empty(len(between))
     while pending:
-        start = np.concatenate([_interpolated(x, *known[k]) for k, x in pending.items()])
+        start = np.concatenate([_interpolated(x, *positions[k]) for k, x in pending.items()])
         squares, which = np.concatenate([*pending.values()]), np.repeat([*pending], SAMPLES)
         net = with_stops(at(np.sqrt(squares), which), released[which], start)
         gap = push.direction * (net.position[:, push.body] - limit[which, push.body])
@@ -88,7 +88,7 @@ def meeting_speeds(
         for k, x in [*pending.items()]:
             rows = which == k
             if net.converged[rows].all():
-                known[k] = x, net.position[rows]
+                positions[k] = x, net.position[rows]
             try:
                 pending[k] = searches[k].send(gap[rows])
             except StopIteration as end:

@@ -103,8 +103,8 @@ def _leaving(shares: Array, loads: list[Array]) -> Leaving | None:
     if not lightest[0] > 0.0 or not lost.size:
         return None
     k = int(lost[0])
-    known = shares[:k].tolist(), lightest[:k].tolist()
-    return Leaving.between(*known, float(shares[k]), least, int(loads[k - 1].argmin()))
+    before_loss = shares[:k].tolist(), lightest[:k].tolist()
+    return Leaving.between(*before_loss, float(shares[k]), least, int(loads[k - 1].argmin()))
 
 
 def _inner_loads(point: Point) -> list[Array]:

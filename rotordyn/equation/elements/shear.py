@@ -50,9 +50,9 @@ def shear_coefficient(
         return np.full(shape, math.inf)
     if isinstance(choice, str):
         if choice not in FORMULAS:
-            known = ", ".join([*FORMULAS, RIGID])
+            choices = ", ".join([*FORMULAS, RIGID])
             raise InvalidInput(
-                f"unknown shear coefficient {shown(choice)}: one of {known}, or a number"
+                f"unknown shear coefficient {shown(choice)}: one of {choices}, or a number"
             )
         return FORMULAS[choice](poisson_ratio, diameter_ratio)
     if not (math.isfinite(choice) and choice > 0.0):
