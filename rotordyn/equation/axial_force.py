@@ -39,8 +39,8 @@ def slope_rows(shaft: Shaft, shown: Mesh, way: str) -> tuple[list[Rows], Indices
 
 
 def geometric_stiffness(slopes: Slopes, force: Array) -> Array:
-    """Return (s, m, m) of coordinates with ``slopes`` (places, m) under the axial ``force`` (s,
-    elements) [N], tension positive, by its few independent fields; NaN where it is unknown."""
+    """Return the stiffness (s, m, m) of coordinates with ``slopes`` (places, m) by the axial
+    ``force`` (s, elements) [N], tension positive, from its few fields; NaN where it is unknown."""
     finite = np.isfinite(force).all(axis=1)
     states, size, fields = np.linalg.svd(force[finite], full_matrices=False)
     clear = size > NOTHING * size[0] if size.size else size > 0.0

@@ -17,7 +17,8 @@ from rotordyn.machine.spindle import Spindle
 
 
 def modal_damping(spindle: Spindle, values: Array, roots: Array, *, bending: bool) -> Array:
-    """Return (m, m) [1/s] for coordinates of stiffness ``values`` ω² (m,) and ``roots`` √(M⁻¹K)."""
+    """Return the damping (m, m) [1/s] of coordinates with stiffness ``values`` ω² (m,) and
+    ``roots`` √(M⁻¹K)."""
     zeta = spindle.rotor_damping if bending else spindle.rotor_damping[-1:]
     ratios = np.zeros(len(values))
     if zeta:

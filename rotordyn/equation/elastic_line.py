@@ -30,7 +30,7 @@ class Compliance:
 
 
 def compliance(spindle: Spindle, mesh: Mesh, *, rigid: bool) -> Compliance:
-    """Return that of a Timoshenko shaft with its joints; zero if the rotor is ``rigid``."""
+    """Return the compliance of a Timoshenko shaft with its joints; zero if it is ``rigid``."""
     xi, weight = points(GAUSS)
     s = mesh.length[:, None] * (1.0 - xi) / 2.0
     powers = np.stack([s**k for k in range(5)]) * weight * mesh.length[:, None] / 2.0

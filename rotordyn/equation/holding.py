@@ -70,7 +70,7 @@ def held_stiffness(structure: Structure, state: State) -> Array:
 def unheld_motions(spindle: Spindle) -> Array:
     """Return the free motions of the rigid shaft (6, k), orthonormal.
 
-    They are those of the front end, in lengths (``length_scale``).
+    They are motions of the front end, in lengths (``length_scale``).
     """
     scale, front = length_scale(spindle), spindle.shaft.start
     rows = [np.zeros((6, 6))]

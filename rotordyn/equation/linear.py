@@ -196,7 +196,7 @@ class Linear:
         return np.asarray(self.structure.dofs.sign[dofs, None] * self.moved(dofs))
 
     def moved(self, dofs: Indices) -> Array:
-        """Return displacements of DOF as they are signed by the coordinates (DOF, n)."""
+        """Return displacements of the signed DOF by the coordinates (DOF, n)."""
         rows = np.zeros((len(dofs), self.size))
         for component, part in zip(self.components, self.slices, strict=True):
             included = component.has(dofs)

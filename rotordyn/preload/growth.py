@@ -230,7 +230,8 @@ class Release(NamedTuple):
 def released_fits(
     spindle: Spindle, speed: Array, temperatures: Temperatures | None = None
 ) -> list[Release]:
-    """Return the rings that are pressed on as mounted and loose up to the highest of ``speed``.
+    """Return the rings that are pressed on as mounted and come loose up to the highest of
+    ``speed``.
 
     The speed is exact for inner rings at temperatures that do not depend on it; else it lies
     between two of ``speed``.

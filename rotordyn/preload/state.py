@@ -158,7 +158,7 @@ class PreloadState:
         return [by_seat[seat] for seat in sorted(by_seat)]
 
     def small_shims(self) -> list[str]:
-        """Return a sentence for each bearing of which an arc presses beyond its middle."""
+        """Return a sentence for each bearing in which an arc presses beyond its groove's middle."""
         from bearings.ring.truncation import truncation
 
         sentences = []

@@ -66,12 +66,13 @@ def meeting_speeds(
     between: Array,
     near: Array,
 ) -> Array:
-    """Return the first speed within each of ``between`` (k, 2) at which ``push`` meets its stop.
+    """Return the first speed in each of ``between`` (k, 2) at which a sleeve meets its stop.
 
-    All are sought together, (k,) [rad/s]. ``at`` returns the network at any speeds, given which of
-    the k they are for, ascending; ``limit`` (k, bodies) as of ``with_stops``. The sleeve's own stop
-    is removed, all other stops act. A speed that has no equilibrium without the stop counts as
-    overrun. ``near`` (k, 2, bodies): positions at the two speeds, as a start.
+    All are sought together, (k,) [rad/s], for the sleeve of ``push``. ``at`` returns the network at
+    any speeds, given which of the k they are for, ascending; ``limit`` (k, bodies) as of
+    ``with_stops``. The sleeve's own stop is removed, all other stops act. A speed that has no
+    equilibrium without the stop counts as overrun. ``near`` (k, 2, bodies): positions at the two
+    speeds, as a start.
     """
     released = limit.copy()
     released[:, push.body] = np.nan

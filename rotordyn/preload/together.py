@@ -49,7 +49,7 @@ def dynamic_preload(
     temperatures: Temperatures | None = None,
     films: Films | None = None,
 ) -> PreloadState:
-    """Solve the axial arrangement of ``spindle`` at every ``speed`` [rad/s]:
+    """Solve the axial arrangement of ``spindle`` at every ``speed`` [rad/s]; as
     ``dynamic_preloads``."""
     return dynamic_preloads([Asked(spindle, speed, law, axial_force, temperatures, films)])[0]
 
