@@ -43,11 +43,9 @@ def allowed_motions(rows: Array, stiffness: Array) -> Array:
     rigid = np.zeros((len(stiffness), right.shape[0] - rank))
     rigid[free] = right[rank:].T
     basis = np.hstack([rigid, np.linalg.svd(motions, full_matrices=False)[0]])
-    _, size, constrained = np.linalg.svd(rows, full_matrices=False)
-    constrained = constrained[
-        size > DEPENDENT * size.max(initial=0.0)
-    ]  # fast motions have lost digits
-    return np.asarray(np.linalg.qr(basis - constrained.T @ (constrained @ basis))[0])
+    _, size, normal = np.linalg.svd(rows, full_matrices=False)
+    normal = normal[size > DEPENDENT * size.max(initial=0.0)]  # fast motions have lost digits
+    return np.asarray(np.linalg.qr(basis - normal.T @ (normal @ basis))[0])
 
 
 def strained_motions(still: Array, allowed: Array, rows: Array) -> Array:

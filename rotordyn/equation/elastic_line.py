@@ -50,8 +50,8 @@ def elastic_line(
     """Return the displacement (…, nodes, 6) of nodes at ``x`` [m] with the front end held, at a
     joint of the part in front; exact.
 
-    ``line`` (…, elements, 2, 3): the line loads [N/m] that are part of ``forces``; ``joined`` (…,
-    elements, 6): forces of joints at front ends, where these are others.
+    ``line`` (…, elements, 2, 3): the line loads [N/m] that are part of ``forces``; ``joined``
+    (…, elements, 6): forces of joints at front ends, where these are others.
     """
     h = np.diff(x)
     qx, qy, qz = np.moveaxis(line[..., 1, :], -1, 0)

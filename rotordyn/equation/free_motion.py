@@ -34,8 +34,8 @@ class FreeMotions:
     """Free motions of ``linear``, solved as ``modes`` of one complex plane or of all coordinates;
     those of one system serve all speeds where nothing changes with speed.
 
-    ``pole`` (s, k) [rad/s], Im ≥ 0, NaN where a speed has fewer; ``vector`` (s, n, k); ``left`` (s,
-    k, n): the receptance at iω is Σ vector left / (iω − pole) and, of Im > 0, the conjugate.
+    ``pole`` (s, k) [rad/s], Im ≥ 0, NaN where a speed has fewer; ``vector`` (s, n, k); ``left``
+    (s, k, n): the receptance at iω is Σ vector left / (iω − pole) and, of Im > 0, the conjugate.
     """
 
     linear: Linear
@@ -93,8 +93,8 @@ class FreeMotions:
         return np.swapaxes(columns, 1, 2)
 
     def _given(self, columns: Complex, size: float, turn: complex) -> Complex:
-        """Return ``columns`` (s, m, 2n) of the modes that are returned over all coordinates (s, n,
-        k): whirl of some ``size`` in plane y and, by a quarter ``turn``, in plane z."""
+        """Return ``columns`` (s, m, 2n) of the modes that are returned over all coordinates
+        (s, n, k): whirl of some ``size`` in plane y and, by a quarter ``turn``, in plane z."""
         if not self.whirling:
             chosen = np.take_along_axis(columns, self._chosen[0][:, None, :], axis=2)
             return self._each(self._expanded(chosen))

@@ -11,8 +11,8 @@ from rotordyn.arrays import Flags, Indices
 
 
 def first_joined(joined: Flags) -> Indices:
-    """Return the first member of the connected component of each of n things (n,); ``joined`` (n,
-    n): connected pairs, given one way or both."""
+    """Return the first member of the connected component of each of n things (n,); ``joined``
+    (n, n): connected pairs, given one way or both."""
     reached = joined | joined.T | np.eye(len(joined), dtype=bool)
     for _ in range(len(joined).bit_length()):  # each doubles the length of paths
         reached = reached @ reached

@@ -228,8 +228,8 @@ class Hysteretic:
         return signs_of(one_way, spins, whirling=self.whirling)
 
     def _continued(self, stages: Sequence[Indices]) -> Modes:
-        """Continue every mode through the systems of its signs, in order: each of ``stages`` (s, k,
-        3). Over both planes a mode with Im λ < 0 is one of the conjugate system."""
+        """Continue every mode through the systems of its signs, in order: each of ``stages``
+        (s, k, 3). Over both planes a mode with Im λ < 0 is one of the conjugate system."""
         plain = self._plain
         below = (plain.pole.imag < 0.0)[..., None] & (not self.whirling)
         keys = np.concatenate([*stages, below], axis=-1)

@@ -222,8 +222,8 @@ class _Sweep:
     def branches(
         self, linear: Linear, subsystem: int, side: float, expected: Complex
     ) -> list[Branch]:
-        """Return branches that whirl to ``side``, at the speeds of the case; poles ``expected`` (s,
-        k) at the next speed."""
+        """Return branches that whirl to ``side``, at the speeds of the case; poles ``expected``
+        (s, k) at the next speed."""
         columns, steps = self.sides[side]
         if self.constant:
             path = np.tile(np.arange(columns.shape[1]), (len(columns), 1))

@@ -104,8 +104,8 @@ def _largest(errors: Array, judged: Flags) -> float:
 
 
 def _judged(scene: Scene, branches: list[Branch], band: Band, *, overdamped: bool = False) -> Flags:
-    """Return the speeds at which shown modes oscillate within the band, or hardly do (usable,
-    modes); those that hardly do at most speeds are not shown."""
+    """Return the speeds at which shown modes oscillate within the band, or hardly do
+    (usable, modes); those that hardly do at most speeds are not shown."""
     judged = np.zeros((len(scene.usable), len(branches)), dtype=bool)
     spin = _spin(scene)
     for k, branch in enumerate(branches):

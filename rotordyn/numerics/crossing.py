@@ -53,9 +53,7 @@ def _zero(x: Array, y: Array, k: int) -> float:
     low, high = -0.5, 0.5
     for _ in range(60):  # down to rounding
         centre = 0.5 * (low + high)
-        if (
-            reduce(lambda sum_, coefficient: sum_ * centre + coefficient, descending) > 0.0
-        ) == positive:
+        if (reduce(lambda sum_, c: sum_ * centre + c, descending) > 0.0) == positive:
             low = centre
         else:
             high = centre

@@ -82,10 +82,8 @@ class _Solution:
         """Solve a similar system; None where the vectors are too far, or two poles too close."""
         pole, vector, left = self.modes
         if self.before is not None:  # extrapolated linearly
-            extrapolated = (
-                2.0 * now - then for now, then in zip(self.modes, self.before, strict=True)
-            )
-            pole, vector, left = extrapolated
+            start = (2.0 * now - then for now, then in zip(self.modes, self.before, strict=True))
+            pole, vector, left = start
         n, diagonal = len(stiffness), slice(None, None, 2 * len(stiffness) + 1)
         both = np.concatenate([damping, stiffness]).astype(complex)
         for _ in range(STEPS):
@@ -98,9 +96,7 @@ class _Solution:
             distance = pole[:, None] - pole
             defect.flat[diagonal] -= 1.0
             distance.flat[diagonal] = 1.0
-            with np.errstate(
-                divide="ignore", invalid="ignore"
-            ):  # equal poles: fails the test of FAR
+            with np.errstate(divide="ignore", invalid="ignore"):  # equal poles: not below FAR
                 change = change / distance
             change.flat[diagonal] = 0.0
             size = max(np.abs(change.view(float)).max(), np.abs(defect.view(float)).max())

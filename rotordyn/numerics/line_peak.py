@@ -68,7 +68,7 @@ def line_peak(frequency: Array, response: Complex, top: int) -> LinePeak:
     highest_point = int(curve.argmax())
     top_x = around[highest_point]
     top_value = (fitted[1] + fitted[2] * top_x) / (top_x - pole)
-    # at the top the height changes with q, n and c alone: dH = (H dq + dn + there dc)/(there − q)
+    # at the top the height changes with q, n and c alone: dH = (H dq + dn + f dc)/(f − q)
     gradient = np.array([top_value, 1.0, top_x]) / (top_x - pole)
     variance = 0.5 * (gradient @ covariance @ gradient.conj()).real  # of one part of noise
     error = float(np.sqrt(variance) / curve[highest_point])

@@ -30,11 +30,11 @@ WELL_CONDITIONED = 1e7  # of unit vectors: the sum over poles then keeps nine di
 class Modes:
     """Poles and vectors of a batch of systems of order n with unit mass.
 
-    ``stiffness``, ``damping`` (…, n, n): the systems. ``pole`` (…, 2n) [rad/s]; ``vector`` (…, n,
-    2n): displacement part of the right vectors; ``participation`` (…, 2n, n): excitation of each
-    pole by a force on each coordinate, so that the receptance at s is vector · diag(1/(s − pole)) ·
-    participation. ``condition`` (…): of the vectors, very large where poles coincide and share one
-    vector (a free body at rest).
+    ``stiffness``, ``damping`` (…, n, n): the systems. ``pole`` (…, 2n) [rad/s]; ``vector``
+    (…, n, 2n): displacement part of the right vectors; ``participation`` (…, 2n, n): excitation of
+    each pole by a force on each coordinate, so that the receptance at s is
+    vector · diag(1/(s − pole)) · participation. ``condition`` (…): of the vectors, very large where
+    poles coincide and share one vector (a free body at rest).
     """
 
     stiffness: Matrix

@@ -1,7 +1,7 @@
 """Whirl at a multiple of the spin, integer or not, solved for at once.
 
-Where M does not depend on the spin Ω and K = K₀ + Ω K₁ at most on a straight line, undamped whirl ω
-= ±nΩ of K + ωΩP − ω² M is an eigenproblem of Ω, K₀ φ + Ω K₁ φ = (nΩ)² (M ∓ P/n) φ: every root at
+Where M does not depend on the spin Ω and K = K₀ + Ω K₁ is at most linear in it, undamped whirl ω =
+±nΩ of K + ωΩP − ω² M is an eigenproblem of Ω, K₀ φ + Ω K₁ φ = (nΩ)² (M ∓ P/n) φ: every root at
 once, without a search for crossings.
 """
 
@@ -32,12 +32,10 @@ def synchronous(
         squares, vectors = _finite(*eig(stiffness, inertia))
         squares = squares / order**2
     else:
-        unit, zero = np.eye(size), np.zeros((size, size))
+        eye, zero = np.eye(size), np.zeros((size, size))
         scale = np.sqrt(np.abs(stiffness).max()) / order
-        companion = np.block([[zero, unit], [stiffness / scale**2, slope / scale]])
-        spins, vectors = _finite(
-            *eig(companion, np.block([[unit, zero], [zero, order**2 * inertia]]))
-        )
+        a = np.block([[zero, eye], [stiffness / scale**2, slope / scale]])
+        spins, vectors = _finite(*eig(a, np.block([[eye, zero], [zero, order**2 * inertia]])))
         spins, vectors = scale * spins[spins.real > 0.0], vectors[:size, spins.real > 0.0]
         squares = spins**2
     with np.errstate(invalid="ignore"):

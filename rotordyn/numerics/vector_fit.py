@@ -41,13 +41,9 @@ def vector_fit(omega: Array, values: Complex, weight: Array, start: Complex) -> 
     size = max(float(np.abs(weight * values).max()), 1e-300)
     weight = np.broadcast_to(weight / size, values.shape)
     for _ in range(ROUNDS):
-        new_pole = _moved(omega, values, pole, weight)
-        change = (
-            np.abs(new_pole - pole).max() / np.abs(new_pole).max()
-            if len(new_pole) == len(pole)
-            else 1
-        )
-        pole = new_pole
+        new = _moved(omega, values, pole, weight)
+        change = np.abs(new - pole).max() / np.abs(new).max() if len(new) == len(pole) else 1
+        pole = new
         if change < MOVED:
             break
     return residues(omega, values, pole, weight)

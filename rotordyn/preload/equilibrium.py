@@ -98,9 +98,7 @@ def confirmed(network: Network, net: NetworkState) -> NetworkState:
     A solution found by following neighbours is accepted only if it is reproduced without them.
     """
     if not any(np.any(bearing.law.one_branch) for bearing in network.arrangement.bearings):
-        return replace(
-            net, converged=net.error < CONFIRMED
-        )  # bearings were solved by themselves already
+        return replace(net, converged=net.error < CONFIRMED)  # all were solved by themselves
     response = network.respond(net.position)
     error = network.error(net.position, response, net.held | network.springs.fixed)[1]
     return NetworkState(net.position, net.held, response, error, error < CONFIRMED)

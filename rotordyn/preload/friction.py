@@ -98,7 +98,7 @@ class Rubbing:
         slips = self.stuck & (np.abs(needed) > self.limit * (1.0 + BEYOND))
         friction = np.where(slips, np.sign(needed) * self.limit, self.force)
         free = (self.limit > 0.0) & ~held
-        # friction along the motion would drive the body: it has turned, and sticks where it began
+        # friction along the motion would drive the body: it has reversed, and sticks where it began
         reversing = friction * (position - self.begun) > self.limit * STILL
         sticks = free & ~self.stuck & ~was & reversing
         leaves = free & was  # a body that leaves its stop begins to stick there

@@ -78,10 +78,7 @@ def heat_balance(solve: Solve, speed: Array, spindle: Spindle, flow: Flow) -> He
         correction = _anderson(step, step - last_step, last_move + factor * (step - last_step))
         move = factor * step + np.where(slow[:, None, None], correction, 0.0)
         last_move = np.clip(move, -LONGEST, LONGEST)
-        last_step, t = (
-            step,
-            np.where(active[:, None, None], t + last_move, t),
-        )
+        last_step, t = step, np.where(active[:, None, None], t + last_move, t)
         last_size = np.where(active, size, last_size)
         over = active & (t.max(axis=(1, 2)) > HOTTEST)
         for row in np.flatnonzero(over):

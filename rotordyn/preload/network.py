@@ -257,9 +257,7 @@ class Network:
         """Return residual forces of the free bodies, and the largest over the largest force."""
         residual = np.where(fixed, 0.0, self.forces(x, response))
         reference = (self.tandem * np.abs(response.load)).max(axis=1)
-        reference = (
-            reference + np.abs(self.springs.force).max(axis=1) + 1e-9
-        )  # finite without any load
+        reference = reference + np.abs(self.springs.force).max(axis=1) + 1e-9  # never zero
         return residual, np.abs(residual).max(axis=1) / reference
 
 

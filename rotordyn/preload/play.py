@@ -165,8 +165,8 @@ class AxialRunUp:
     """A machine run up from rest through ``speed`` [rad/s], then under the static ``force`` [N].
 
     ``bodies``: shaft, then sleeves. Positions [m]: ``mounted`` (bodies,) at rest under stated
-    preloads alone, ``standstill`` also at the temperatures and under that force; ``idle`` (speeds,
-    bodies) under it at every speed of the run-up; ``at``: the machine at each of them.
+    preloads alone, ``standstill`` also at the temperatures and under that force; ``idle``
+    (speeds, bodies) under it at every speed of the run-up; ``at``: the machine at each of them.
     """
 
     bodies: tuple[str, ...]

@@ -1,6 +1,6 @@
 """Timoshenko beam of any polynomial degree in one plane, with the standard element as its core.
 
-DOF: (v1, φ1, v2, φ2) of ``plane_bending``, then between the nodes, for degree n ≥ 2,
+DOF: (v1, φ1, v2, φ2) of the nodes, then between them, for degree n ≥ 2,
 
 - n of shear: v = ψ_2 … ψ_(n+1), φ = 0;
 - one of constant shear: φ = ψ_2 and the v whose slope differs from it by a constant;
@@ -66,8 +66,8 @@ def beam_matrices(
 ) -> PlaneBending:
     """Return the matrices of elements of a ``length`` (elements,) [m], all of one ``degree``.
 
-    ``phi`` (elements,): Φ of their shapes. κGA [N], EI [N·m²], ρA [kg/m] and ρI [kg·m] (elements,
-    points) at the points of ``quadrature``.
+    ``phi`` (elements,): Φ of their shapes. κGA [N], EI [N·m²], ρA [kg/m] and ρI [kg·m]
+    (elements, points) at the points of ``quadrature``.
     """
     xi, weight = quadrature(degree)
     shape, dx = shapes(length, phi, degree, xi), weight * length[:, None] / 2.0

@@ -23,8 +23,8 @@ def rod_matrices(
     """Return mass and stiffness (elements, degree + 1, degree + 1) of rods of a ``length``
     (elements,) [m], all of one ``degree``.
 
-    ``rigidity`` E A [N] or G Ip [N·m²] and ``line_inertia`` ρ A [kg/m] or ρ Ip [kg·m] (elements,
-    points) at the points of ``quadrature``.
+    ``rigidity`` E A [N] or G Ip [N·m²] and ``line_inertia`` ρ A [kg/m] or ρ Ip [kg·m]
+    (elements, points) at the points of ``quadrature``.
     """
     xi, weight = quadrature(degree)
     shape, half = shapes(degree, xi), length[:, None] / 2.0
