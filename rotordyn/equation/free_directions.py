@@ -27,7 +27,7 @@ def free_directions(linear: Linear, rows: Iterable[int]) -> list[int]:
         sizes.append(np.outer(size, size))
         relative[np.linalg.norm(relative, axis=1) <= DEPENDENT * size] = 0.0
         resisted |= bool(c.link.rigid) or bool((c.matrices.stiffness @ relative).any())
-        relative_motions.append(_of_unit_rows(relative))
+        relative_motions.append(_unit_rows(relative))
     if not resisted:  # most shafts rotate freely
         return [unstrained.shape[1]] * len(rows)
     free_counts: dict[bytes, int] = {}  # which entries are zero is the same at most speeds
@@ -45,7 +45,7 @@ def free_directions(linear: Linear, rows: Iterable[int]) -> list[int]:
             for c, matrix, relative in zip(
                 linear.connections, stiffness, relative_motions, strict=True
             ):
-                resistances.append((_of_unit(matrix) + np.diag(c.rigid)) @ relative)
+                resistances.append((_scaled(matrix) + np.diag(c.rigid)) @ relative)
             rank = int(np.linalg.matrix_rank(np.concatenate(resistances), DEPENDENT))
             free_counts[key] = unstrained.shape[1] - rank
         counts.append(free_counts[key])
@@ -77,7 +77,7 @@ def too_stiff(linear: Linear) -> str:
     )
 
 
-def _of_unit(matrix: Array) -> Array:
+def _scaled(matrix: Array) -> Array:
     """Return a matrix (n, n) with rows and columns scaled by their size."""
     size = np.abs(matrix)
     scale = np.sqrt(np.maximum(size.max(axis=0), size.max(axis=1)))
@@ -85,7 +85,7 @@ def _of_unit(matrix: Array) -> Array:
     return np.asarray(matrix / scale[:, None] / scale)
 
 
-def _of_unit_rows(rows: Array) -> Array:
+def _unit_rows(rows: Array) -> Array:
     """Return rows (k, n) scaled to length 1, or 0."""
     size = np.linalg.norm(rows, axis=1, keepdims=True)
     return np.asarray(rows / np.where(size > 0.0, size, 1.0))

@@ -79,20 +79,20 @@ class FreeMotions:
         than the shaft leave few of its digits."""
         with np.errstate(divide="ignore", invalid="ignore"):
             relative = self.modes.rounding / np.abs(self.modes.pole)
-        return self._each(self._shown(relative))
+        return self._each(self._of_returned(relative))
 
     @cached_property
     def vector(self) -> Complex:
         """Right vectors (s, n, k)."""
-        return self._given(self.modes.vector, 0.5, -1j)
+        return self._in_coordinates(self.modes.vector, 0.5, -1j)
 
     @cached_property
     def left(self) -> Complex:
         """Left vectors (s, k, n)."""
-        columns = self._given(np.swapaxes(self.modes.participation, 1, 2), 1.0, 1j)
+        columns = self._in_coordinates(np.swapaxes(self.modes.participation, 1, 2), 1.0, 1j)
         return np.swapaxes(columns, 1, 2)
 
-    def _given(self, columns: Complex, size: float, turn: complex) -> Complex:
+    def _in_coordinates(self, columns: Complex, size: float, turn: complex) -> Complex:
         """Return ``columns`` (s, m, 2n) of the modes that are returned over all coordinates
         (s, n, k): whirl of some ``size`` in plane y and, by a quarter ``turn``, in plane z."""
         if not self.whirling:
@@ -114,7 +114,7 @@ class FreeMotions:
     def _expanded(self, vector: Complex) -> Complex:
         return vector if self._allowed is None else np.asarray(self._allowed @ vector)
 
-    def _folded(self, rows: Array) -> Array:
+    def _restricted(self, rows: Array) -> Array:
         """Return rows (pairs, n) in the coordinates of the modes."""
         return rows if self._allowed is None else along(rows, self._allowed)
 
@@ -132,7 +132,7 @@ class FreeMotions:
         ------
         InvalidInput : a support so stiff that motions on other supports are lost in rounding
         """
-        return self._each(self._shown(self._free))
+        return self._each(self._of_returned(self._free))
 
     @cached_property
     def _free(self) -> Flags:
@@ -159,9 +159,9 @@ class FreeMotions:
         pole, structure = self.modes.pole, self.linear.structure
         limit = math.inf if structure.rigid else structure.fine.own_mass
         growing = grows(pole, self.modes.largest) & ~self._free & (np.abs(pole.imag) < limit)
-        return self._each(self._shown(growing)) & ~np.isnan(self.pole)
+        return self._each(self._of_returned(growing)) & ~np.isnan(self.pole)
 
-    def _shown(self, values: NDArray[S]) -> NDArray[S]:
+    def _of_returned(self, values: NDArray[S]) -> NDArray[S]:
         """Return values of all ``modes`` (s, 2n) for those that are returned (s, k)."""
         return values if self.whirling else np.take_along_axis(values, self._chosen[0], axis=-1)
 
@@ -173,7 +173,7 @@ class FreeMotions:
             return np.swapaxes(once.reshape(len(responses), *omega.shape), 0, 1)
         evaluate = (self.lossy or self.modes).receptance
         if not self.whirling:
-            folded = self._folded(responses), self._folded(excitations)
+            folded = self._restricted(responses), self._restricted(excitations)
             return self._each(evaluate(omega, *folded))
         both = np.concatenate([omega, -omega.conj()], axis=-1)
         total = self._in_planes(lambda r, e: evaluate(both, r, e), responses, excitations)
@@ -202,7 +202,7 @@ class FreeMotions:
         plane = [
             np.abs(rows[:, half:]).any(axis=1).astype(int) for rows in (responses, excitations)
         ]
-        forward, backward = np.split(evaluate(*map(self._folded, folded)), 2, axis=-1)
+        forward, backward = np.split(evaluate(*map(self._restricted, folded)), 2, axis=-1)
         backward = backward.conj()
         turn = plane[0] - plane[1]
         total = forward + backward

@@ -152,12 +152,12 @@ class Hysteretic:
             close = np.abs(frequency - spin) <= WIDE * np.abs(frequency)
             fixed_signs = signs[close] * (0, 1, 1)
             at[close], vector[close], converged = corrected(
-                self._answering(row, fixed_signs), self.damping[row], at[close], vector[close]
+                self._stiffness_for(row, fixed_signs), self.damping[row], at[close], vector[close]
             )
             if not converged.all():
                 return False
             signs[close, 0] = self._signs(at[None, close], spin)[0][:, 0]
-        answering = self._answering(row, signs)
+        answering = self._stiffness_for(row, signs)
         at, vector, converged = corrected(answering, self.damping[row], at, vector)
         if not converged.all():
             return False
@@ -177,7 +177,7 @@ class Hysteretic:
         solved.participation[row, columns] = np.concatenate([left, left[pairs].conj()])
         return True
 
-    def _answering(self, row: int, signs: Indices) -> Complex:
+    def _stiffness_for(self, row: int, signs: Indices) -> Complex:
         """Return the stiffness (k, n, n) for each of ``signs`` (k, 3) at one speed."""
         loss = self.loss.at(np.array([row]))
         return self.stiffness[row] + loss.stiffness(Signs(*signs.T[:, :, None, None]))

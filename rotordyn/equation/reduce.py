@@ -162,7 +162,7 @@ def enriched(
     the coarser model errs by δ, this one errs by δ². A study takes 1.1 times as long by ``reduce``.
     """
     body = _Body.held(mass, stiffness, rigid)
-    known = known - body.rigid @ (body.pushed.T @ known)
+    known = known - body.rigid @ (body.mass_rigid.T @ known)
     inertia, restoring = mass @ known, stiffness @ known
     values = (known * restoring).sum(axis=0) / (known * inertia).sum(axis=0)
     loads = [inertia - restoring / values]
@@ -184,7 +184,7 @@ def _roots(body: _Body, static: Array, values: Array, rest: tuple[Array, Array])
     vectors, omega = rest
     if not len(omega):
         return np.diag(np.sqrt(values))
-    share = omega[:, None] * (vectors.T @ (body.upwards @ (body.mass @ static)[body.free]))
+    share = omega[:, None] * (vectors.T @ (body.inverse_factor @ (body.mass @ static)[body.free]))
     remainder = np.clip(1.0 - (share**2).sum(axis=0), 0.0, 1.0)
     return np.asarray(share.T @ (omega[:, None] * share) + np.diag(remainder * np.sqrt(values)))
 
@@ -193,15 +193,15 @@ def _roots(body: _Body, static: Array, values: Array, rest: tuple[Array, Array])
 class _Body:
     """A body whose DOF are ``free`` except those that hold it.
 
-    ``rigid`` R (n, r): Rᵀ M R = 1; ``pushed``: M R. ``solve``: y (n − r, k) of K y = f on the free
-    DOF; ``upwards`` L⁻¹: L Lᵀ = K there, empty of a sparse K.
+    ``rigid`` R (n, r): Rᵀ M R = 1; ``mass_rigid``: M R. ``solve``: y (n − r, k) of K y = f on the
+    free DOF; ``inverse_factor`` L⁻¹: L Lᵀ = K there, empty of a sparse K.
     """
 
     mass: Matrix
     rigid: Array
-    pushed: Array
+    mass_rigid: Array
     free: Indices
-    upwards: Array
+    inverse_factor: Array
     solve: Callable[[Array], Array]
 
     @classmethod
@@ -210,19 +210,19 @@ class _Body:
         factor = np.linalg.cholesky(rigid.T @ (mass @ rigid))
         rigid = np.asarray(np.linalg.solve(factor, rigid.T).T)
         free = np.delete(np.arange(len(rigid)), _holding(rigid, np.sqrt(abs(mass.diagonal()))))
-        pushed, stiff = mass @ rigid, stiffness[free][:, free]
+        mass_rigid, stiff = mass @ rigid, stiffness[free][:, free]
         if isinstance(mass, np.ndarray):
             lower = np.linalg.cholesky(stiff)
             _refuse_singular(lower.diagonal() ** 2, stiff)
-            upwards = _inverse(lower)
+            inverse_factor = _inverse(lower)
 
             def solve(load: Array) -> Array:
-                return np.asarray(upwards.T @ (upwards @ load))
+                return np.asarray(inverse_factor.T @ (inverse_factor @ load))
 
-            return cls(mass, rigid, pushed, free, upwards, solve)
+            return cls(mass, rigid, mass_rigid, free, inverse_factor, solve)
         factors = _factors(stiff)
         _refuse_singular(factors.U.diagonal()[factors.perm_c], stiff)
-        return cls(mass, rigid, pushed, free, np.zeros((0, 0)), factors.solve)
+        return cls(mass, rigid, mass_rigid, free, np.zeros((0, 0)), factors.solve)
 
     @cached_property
     def root(self) -> Matrix:
@@ -241,11 +241,11 @@ class _Body:
         """Return motions (n, k), without rigid ones, from those (n − r, k) of the free DOF."""
         motion = np.zeros((len(self.rigid), motions.shape[1]))
         motion[self.free] = motions
-        return np.asarray(motion - self.rigid @ (self.pushed.T @ motion))
+        return np.asarray(motion - self.rigid @ (self.mass_rigid.T @ motion))
 
     def displaced(self, loads: Array) -> Array:
         """Return elastic displacements (n, k) by the self-equilibrated part of ``loads`` (n, k)."""
-        loads = loads - self.pushed @ (self.rigid.T @ loads)
+        loads = loads - self.mass_rigid @ (self.rigid.T @ loads)
         return self.elastic(self.solve(loads[self.free]))
 
     def independent(self, motions: Array, energy: Array, size: Array) -> Array:
@@ -281,15 +281,15 @@ def _holding(rigid: Array, scale: Array) -> list[int]:
 def _by_lapack(body: _Body, least: int, cutoff: float) -> tuple[Array, Array, tuple[Array, Array]]:
     """Return elastic modes up to the cutoff, at least ``least``: values (k,), vectors (n, k); and
     of those above y (n − r, k) and ω [rad/s]: their vectors are L⁻ᵀ y ω without rigid motions."""
-    pushed = body.pushed[body.free]
-    inertia = body.mass[body.free][:, body.free] - pushed @ pushed.T
-    inner = body.upwards @ inertia @ body.upwards.T  # L⁻¹ (M − M R Rᵀ M) L⁻ᵀ
+    mass_rigid = body.mass_rigid[body.free]
+    inertia = body.mass[body.free][:, body.free] - mass_rigid @ mass_rigid.T
+    inner = body.inverse_factor @ inertia @ body.inverse_factor.T  # L⁻¹ (M − M R Rᵀ M) L⁻ᵀ
     inverse, vectors = np.linalg.eigh((inner + inner.T) / 2.0)
     lowest = np.arange(len(inverse))[::-1] < least
     clear = inverse > STIFF * inverse.max(initial=0.0)
     kept = (inverse * cutoff**2 > 1.0) | (lowest & clear)
     truncated = ~kept & (inverse > RESOLVED * inverse.max(initial=0.0))
-    modes = body.normalised(body.elastic(body.upwards.T @ vectors[:, kept]))
+    modes = body.normalised(body.elastic(body.inverse_factor.T @ vectors[:, kept]))
     return *modes, (vectors[:, truncated], inverse[truncated] ** -0.5)
 
 
@@ -317,16 +317,16 @@ def _by_lanczos(body: _Body, below: int, least: int, cutoff: float) -> tuple[Arr
 
 def _static_modes(body: _Body, values: Array, elastic: Array, ports: Array) -> tuple[Array, Array]:
     """Return what displacements by ``ports`` add to ``elastic`` modes (n, k) of ``values`` (k,)."""
-    balanced = np.abs(ports - body.pushed @ (body.rigid.T @ ports)).max(axis=0, initial=0.0)
+    balanced = np.abs(ports - body.mass_rigid @ (body.rigid.T @ ports)).max(axis=0, initial=0.0)
     ports = ports[:, balanced > RIGIDLY * np.abs(ports).max(axis=0, initial=0.0)]
-    pushed, response = body.mass @ elastic, elastic.T @ ports
-    loads = ports - pushed @ response
+    inertia, response = body.mass @ elastic, elastic.T @ ports
+    loads = ports - inertia @ response
     motions = body.displaced(loads)
-    motions -= elastic @ (pushed.T @ motions)
+    motions -= elastic @ (inertia.T @ motions)
     remainder = (motions * loads).sum(axis=0)
     flexibility = np.maximum(remainder, NOTHING * (response**2 / values[:, None]).sum(axis=0))
     motions = body.independent(motions, motions.T @ loads, flexibility)
-    return body.normalised(motions - elastic @ (pushed.T @ motions))
+    return body.normalised(motions - elastic @ (inertia.T @ motions))
 
 
 def _refuse_singular(pivots: Array, matrix: Matrix) -> None:

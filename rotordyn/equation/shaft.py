@@ -116,8 +116,8 @@ class Shaft:
             matrix_of = {"mass": matrices.mass, "stiffness": matrices.stiffness}
             matrix_of["softening"] = matrices.translational_mass
             for (name, matrix), rows in product(matrix_of.items(), (y, z)):
-                yield Part(name, rows, rows, _between(moves, matrix))
-            yield Part("gyroscopic", y, z, self.ratio * _between(moves, matrices.polar))
+                yield Part(name, rows, rows, _in_dofs(moves, matrix))
+            yield Part("gyroscopic", y, z, self.ratio * _in_dofs(moves, matrices.polar))
 
     @cached_property
     def _phi(self) -> Array:
@@ -132,8 +132,8 @@ class Shaft:
                 properties = (values[chosen] for values in section(self.mesh, rod.quadrature(n)[0]))
                 mass, stiffness = rod.rod_matrices(self.mesh.length[chosen], *properties, degree=n)
                 rows, moves = self.rows(direction, chosen)
-                yield Part("mass", rows, rows, _between(moves, mass))
-                yield Part("stiffness", rows, rows, _between(moves, stiffness))
+                yield Part("mass", rows, rows, _in_dofs(moves, mass))
+                yield Part("stiffness", rows, rows, _in_dofs(moves, stiffness))
 
     def rows(self, way: str, elements: Indices) -> tuple[Indices, Array | None]:
         """Return DOF (e, k) of elements of one degree, those of the ends first, of joints last; and
@@ -231,7 +231,7 @@ class Shaft:
         return element, np.clip(xi, -1.0, 1.0)
 
 
-def _between(moves: Array | None, blocks: Array) -> Array:
+def _in_dofs(moves: Array | None, blocks: Array) -> Array:
     """Return blocks (e, k, k) of matrices (e, j, j) of elements by their DOF."""
     return blocks if moves is None else np.asarray(np.swapaxes(moves, 1, 2) @ blocks @ moves)
 

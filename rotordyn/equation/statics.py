@@ -68,22 +68,22 @@ def loaded_rotor(
 ) -> StaticRotor:
     """Return both planes of a structure, with housings and sleeves, under ``loads`` per newton of
     their size, additional ``constant`` ones, and the axial ``force`` (states, elements) [N]."""
-    components = [c for c in structure.components if _across(c)]
+    components = [c for c in structure.components if _moves_across(c)]
     linear = assemble(structure, components, _without_bearings(structure, speed), force)
-    rotor = _rotor(structure, linear, EVERY, _acting(linear, loads))
+    rotor = _rotor(structure, linear, EVERY, _forces(linear, loads))
     if constant is None:
         return rotor
-    return replace(rotor, constant=_acting(linear, constant) @ linear.basis)
+    return replace(rotor, constant=_forces(linear, constant) @ linear.basis)
 
 
-def _acting(linear: Linear, loads: Across) -> Array:
+def _forces(linear: Linear, loads: Across) -> Array:
     """Return forces on the coordinates (m,)."""
     force = np.zeros(linear.size)
     for place, load in loads.points:
         force += load @ linear.displaced(linear.structure.node(*place))
     for plane, pull in zip(("y", "z"), loads.pull, strict=True):
         if pull:
-            force += pull * _falling(linear, plane)
+            force += pull * _weight(linear, plane)
     return force
 
 
@@ -105,12 +105,12 @@ class Across(NamedTuple):
         return Across(points, (share * y, share * z)), size
 
 
-def _across(component: Component) -> bool:
+def _moves_across(component: Component) -> bool:
     """True if a component moves across the axis: bending of shafts, sleeves and housings."""
     return bool({line.way for line in component.lines} - {"x", "thx"})
 
 
-def _falling(linear: Linear, way: str) -> Array:
+def _weight(linear: Linear, way: str) -> Array:
     """Return the force on the coordinates (m,) per acceleration of gravity along y or z, of shafts.
 
     Mass is the identity: it is the translation of the spindle's shaft in rigid coordinates.

@@ -129,7 +129,7 @@ class Structure:
         return np.asarray(shaft.node[shaft.mesh.node_of(x)])
 
     def _seat_link(self, place: int, seat: BearingSeat) -> Link:
-        dofs, motions = self._against(seat.name, [(SPINDLE, seat.x, 1.0)])
+        dofs, motions = self._relative_motion(seat.name, [(SPINDLE, seat.x, 1.0)])
         for direction, number in self.sleeves.under(seat.name).items():
             dofs = np.append(dofs, number)
             motions = np.concatenate([motions, -np.eye(6)[:, [position(direction)]]], axis=1)
@@ -139,15 +139,17 @@ class Structure:
         ends = [(support.holds, support.x, 1.0)]
         if support.against != GROUND:
             ends.append((support.against, support.x, -1.0))
-        dofs, motions = self._against(support.name, ends)
+        dofs, motions = self._relative_motion(support.name, ends)
         rigid = tuple(position(direction) for direction in support.rigid)
         return Link(support.name, dofs, motions, matrices_of(support), support.loss_factor, rigid)
 
     def _damper_link(self, damper: SqueezeFilmDamper) -> Link:
-        dofs, motions = self._against(damper.name, [(SPINDLE, damper.x, 1.0)])
+        dofs, motions = self._relative_motion(damper.name, [(SPINDLE, damper.x, 1.0)])
         return Link(damper.name, dofs, motions, film_matrices(damper))
 
-    def _against(self, name: str, ends: list[tuple[str, float, float]]) -> tuple[Indices, Array]:
+    def _relative_motion(
+        self, name: str, ends: list[tuple[str, float, float]]
+    ) -> tuple[Indices, Array]:
         """Return the motion (6, DOF) of nodes relative to the housing that carries a connection."""
         nodes = [self.node(rotor, x) for rotor, x, _ in ends]
         sign = self.dofs.sign

@@ -198,7 +198,7 @@ def modes(stiffness: Matrix, damping: Matrix) -> Modes:
         empty = np.zeros((*shape[:-2], 0, 0), dtype=complex)
         pole = np.zeros(shape[:-1], dtype=complex)
         return Modes(stiffness, damping, pole, empty, empty, np.ones(shape[:-2]))
-    stiffness = np.broadcast_to(_of_weight(stiffness), shape)
+    stiffness = np.broadcast_to(_without_free(stiffness), shape)
     damping = np.broadcast_to(damping, shape)
     conservative = conservative_modes(stiffness, damping)
     if conservative is None:
@@ -218,7 +218,7 @@ def _damped(stiffness: Matrix, damping: Matrix) -> tuple[Complex, Complex, Compl
     if not complex_planes or single or not np.isfinite(stiffness).all():
         return _general(stiffness, damping)
     pole, vector, left, converged = lightly_damped_modes(stiffness, damping)
-    solved = pole, *_of_unit_length(stiffness, pole, vector, left)
+    solved = pole, *_normalised(stiffness, pole, vector, left)
     failed = np.flatnonzero(~converged)
     if failed.size:
         general = _general(stiffness[failed], damping[failed])
@@ -227,7 +227,7 @@ def _damped(stiffness: Matrix, damping: Matrix) -> tuple[Complex, Complex, Compl
     return solved
 
 
-def _of_unit_length(
+def _normalised(
     stiffness: Matrix, pole: Complex, vector: Complex, left: Complex
 ) -> tuple[Complex, Complex, Array]:
     """Return vectors, participations and conditions as ``_general`` does."""
@@ -255,7 +255,7 @@ def _general(stiffness: Matrix, damping: Matrix) -> tuple[Complex, Complex, Comp
     return pole, vectors[..., :n, :], left[..., n:] / scale, condition
 
 
-def _of_weight(stiffness: Matrix) -> Matrix:
+def _without_free(stiffness: Matrix) -> Matrix:
     """Return the stiffness without rows and columns of coordinates that count as free."""
     size = np.abs(stiffness)
     row_largest = np.maximum(size.max(axis=-1), size.max(axis=-2))

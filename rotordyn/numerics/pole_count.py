@@ -60,7 +60,7 @@ def counted(omega: Array, values: Complex, deviation: Array, most: int) -> Count
             break
         if trials[-1].misfit < EXACT:
             break
-    return Counted(*_without_idle(omega, values, weight, best, trials))
+    return Counted(*_pruned(omega, values, weight, best, trials))
 
 
 def of_count(omega: Array, values: Complex, deviation: Array, count: int) -> Refined:
@@ -79,7 +79,7 @@ def _growing(omega: Array, values: Complex, weight: Array, most: int) -> Iterato
         yield fit
 
 
-def _without_idle(
+def _pruned(
     omega: Array, values: Complex, weight: Array, best: Refined, trials: list[Trial]
 ) -> tuple[Refined, tuple[Trial, ...]]:
     """Return the fit without poles for which there is no evidence, the weakest removed first, and

@@ -25,7 +25,7 @@ def mounted(joined: Sequence[Arrangement]) -> Iterator[NetworkState]:
         at_rest, zero = as_mounted(machine), np.zeros((1, len(machine.bodies)))
         parts.append(Network(at_rest, Springs(_preloads(at_rest), zero, zero, zero[0] > 0.0)))
     network = Network.side_by_side(parts)
-    start = _seated(network)
+    start = _initial_positions(network)
     state = solve(network, start, np.zeros(start.shape, dtype=bool), start)
     return state.parts([1] * len(parts))
 
@@ -54,7 +54,7 @@ def _preloads(joined: Arrangement) -> Array:
     return joined.direction[None] * [0.0, *(push.preload for push in joined.pushes)]
 
 
-def _seated(network: Network) -> Array:
+def _initial_positions(network: Network) -> Array:
     """Estimate the positions at rest (machines, bodies) [m]: least-squares fit to the deflections
     of bearings under their likely loads."""
     b, tandem, force = network.incidence, network.tandem, network.springs.force

@@ -101,14 +101,14 @@ def solved(requests: Sequence[_Request]) -> list[_Solved]:
     for group in groups.values():
         for start in range(0, len(group), TOGETHER):
             part = group[start : start + TOGETHER]
-            tables |= zip(part, _made(part), strict=True)
+            tables |= zip(part, _solve(part), strict=True)
     _kept.update(tables)
     for oldest in list(_kept)[:-TABLES]:
         _kept.pop(oldest, None)
     return [tables[request] for request in requests]
 
 
-def _made(requests: Sequence[_Request]) -> list[_Solved]:
+def _solve(requests: Sequence[_Request]) -> list[_Solved]:
     """Solve the tables of one bearing model under one law."""
     from bearings.ring.tangents import stiffness
 

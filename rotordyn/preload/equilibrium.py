@@ -35,7 +35,7 @@ def solve(
     joint = _together(network, x, held, near)
     if network.one_branch and joint.converged.all():
         return joint
-    x, response = _apart(network, x, joint, fixed)
+    x, response = _separately(network, x, joint, fixed)
     balanced = joint.converged & (x == joint.position).all(axis=1)
     tolerance = np.where(balanced, CONFIRMED, TOLERANCE)
     stalled = np.zeros(len(x), dtype=bool)
@@ -79,7 +79,9 @@ def _together(network: Network, x: Array, held: Flags, near: Response | None) ->
     return NetworkState(x, held, response, error, converged)
 
 
-def _apart(network: Network, x: Array, quick: NetworkState, fixed: Flags) -> tuple[Array, Response]:
+def _separately(
+    network: Network, x: Array, quick: NetworkState, fixed: Flags
+) -> tuple[Array, Response]:
     """Solve every bearing by itself at the joint solution ``quick``, or at ``x`` where that is not
     an equilibrium of such bearings: balls followed step by step may be on another branch."""
     candidate = np.where(quick.converged[:, None], quick.position, x)

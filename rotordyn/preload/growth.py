@@ -68,10 +68,10 @@ def thermal_shift(
 ) -> Array:
     """Return the axial shift of the inner groove, in the direction that loads the bearing, due to
     thermal growth of the balls beyond that of the adjacent rings (speeds,) [m]."""
-    return _swollen(seat, speed, temperatures)[1]
+    return _ball_growth(seat, speed, temperatures)[1]
 
 
-def _swollen(
+def _ball_growth(
     seat: BearingSeat, speed: Array, temperatures: Temperatures | None
 ) -> tuple[Array, Array]:
     """Return growth and axial shift due to thermal growth of the balls (speeds,) [m]."""
@@ -89,12 +89,12 @@ def _fitted(
     """Return the growth of both rings on shaft and in housing, and of the balls (speeds,) [m]."""
     bearing = seat.bearing
     inner = np.empty_like(speed)
-    outer = _under_balls(seat, speed, bearing.outer_raceway_radius)
+    outer = _growth_by_balls(seat, speed, bearing.outer_raceway_radius)
     for rows, state in inner_ring(spindle, seat, speed, temperatures):
         inner[rows] = state.radial_growth(bearing.inner_raceway_radius)
     for rows, state in outer_ring(seat, speed, temperatures):
         outer[rows] += state.radial_growth(bearing.outer_raceway_radius, body=0)
-    return inner - outer + _swollen(seat, speed, temperatures)[0]
+    return inner - outer + _ball_growth(seat, speed, temperatures)[0]
 
 
 def inner_ring(
@@ -113,7 +113,7 @@ def inner_ring(
     race = bearing.inner_raceway_radius
     rises = _rises(seat, speed, temperatures)
     states = []
-    for rows in _rows_alike(rises.shaft, rises.inner):
+    for rows in _equal_rows(rises.shaft, rises.inner):
         shaft_rise, ring_rise = float(rises.shaft[rows[0]]), float(rises.inner[rows[0]])
         if fit is None:
             ring = [_cylinder(0.9 * race, race, bearing.ring_material, ring_rise)]
@@ -141,8 +141,8 @@ def outer_ring(seat: BearingSeat, speed: Array, temperatures: Temperatures | Non
     rises = _rises(seat, speed, temperatures)
     states = []
     radius = race if fit is None else fit.radius
-    expanded = _under_balls(seat, speed, radius)
-    for rows in _rows_alike(rises.housing, rises.outer, expanded):
+    expanded = _growth_by_balls(seat, speed, radius)
+    for rows in _equal_rows(rises.housing, rises.outer, expanded):
         housing_rise, ring_rise = float(rises.housing[rows[0]]), float(rises.outer[rows[0]])
         if fit is None or fits is None:
             ring = [_cylinder(race, 1.1 * race, bearing.ring_material, ring_rise)]
@@ -157,7 +157,7 @@ def outer_ring(seat: BearingSeat, speed: Array, temperatures: Temperatures | Non
     return states
 
 
-def _under_balls(seat: BearingSeat, speed: Array, radius: float) -> Array:
+def _growth_by_balls(seat: BearingSeat, speed: Array, radius: float) -> Array:
     """Return the growth of the free outer ring at ``radius`` by the centrifugal force of the balls,
     as a uniform pressure in its bore (speeds,) [m]; 0 unless the fits include it."""
     from bearings.geometry import frozen_force, geometry
@@ -199,7 +199,7 @@ def outer_fit(seat: BearingSeat) -> Fit | None:
     return Fit(seat.fits.outside_diameter / 2.0, seat.fits.depth("outer"))
 
 
-def _rows_alike(*values: Array) -> list[Indices]:
+def _equal_rows(*values: Array) -> list[Indices]:
     """Group the rows at which all values are the same."""
     kinds = np.unique(np.stack(values), axis=1, return_inverse=True)[1].ravel()
     return [np.flatnonzero(kinds == kind) for kind in range(int(kinds.max(initial=-1)) + 1)]

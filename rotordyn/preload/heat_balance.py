@@ -68,7 +68,7 @@ def heat_balance(solve: Solve, speed: Array, spindle: Spindle, flow: Flow) -> He
             hottest = float(t[row].max(initial=MEASURED))
             failures[row] = f"at temperatures up to {hottest:.0f} °C {state.outcome[row]}"
         active &= usable
-        step = _reached(contacts, pitches, speed, flow) - t
+        step = _temperatures(contacts, pitches, speed, flow) - t
         size = np.abs(np.where(active[:, None, None], step, 0.0)).max(axis=(1, 2))
         continues = _dot(step, last_step) > 0.0
         oscillates = (size > last_size) & ~continues
@@ -155,7 +155,7 @@ def contact_heat(state: PreloadState, flow: Flow) -> tuple[Array, Flags]:
     return np.where(usable[:, None, None], np.nan_to_num(heat), 0.0), usable
 
 
-def _reached(contacts: Array, pitches: Array, speed: Array, flow: Flow) -> Array:
+def _temperatures(contacts: Array, pitches: Array, speed: Array, flow: Flow) -> Array:
     """Return temperatures in balance with the heat of contacts and oil (speeds, bearings, 3)."""
 
     def heat(temperature: Array) -> Array:

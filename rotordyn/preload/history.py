@@ -169,7 +169,7 @@ def history(preload: PreloadState, reach: float) -> History:
     ------
     TooCostly : the history takes more time or memory than is allowed
     """
-    joined, past = _apart(preload), preload.past
+    joined, past = _separated(preload), preload.past
     _require_allowed(preload, len(joined.bearings))
     applied = [step.axial_force or 0.0 for step in past.steps]
     largest = max(map(abs, (preload.force, past.weight, *(past.weight + f for f in applied))))
@@ -234,7 +234,7 @@ def moments(
     return before, through, after
 
 
-def _apart(preload: PreloadState) -> Arrangement:
+def _separated(preload: PreloadState) -> Arrangement:
     """Return the arrangement of a preload state; bearings that do not stay identical through its
     history are separate."""
     joined, speeds = preload.network.arrangement, np.union1d(preload.speed, preload.past.speeds)
