@@ -27,19 +27,19 @@ from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import Link, LinkMatrices, State
 from rotordyn.machine.support import SPINDLE
 
-STIFF = 1e6  # of the softest mode's stiffness: links so stiff take six of its digits
+STIFF = 1e6  # of the softest mode's stiffness: links as stiff take six of its digits
 
 
 def subsystems(structure: Structure, state: State, *, drawbar: bool) -> list[tuple[Component, ...]]:
-    """Components that links join at any of the states, or that turn with one another; ``drawbar``:
-    it is one of these links."""
-    every = structure.components
-    joined = np.zeros((len(every), len(every)), dtype=bool)
-    for k, one in enumerate(every):
+    """Return groups of components that links join at any of the states, or that rotate with one
+    another; ``drawbar``: whether it is one of these links."""
+    components = structure.components
+    joined = np.zeros((len(components), len(components)), dtype=bool)
+    for k, component in enumerate(components):
         for other in range(k):
-            same = one.lines[0].body == every[other].lines[0].body
-            planes = {one.way, every[other].way} == {"y", "z"}
-            if same and planes and one.spindle is not None:
+            same = component.lines[0].body == components[other].lines[0].body
+            planes = {component.way, components[other].way} == {"y", "z"}
+            if same and planes and component.spindle is not None:
                 joined[k, other] = True
     links = [*structure.connections, *(structure.drawbar if drawbar else ())]
     for link in links:
@@ -48,8 +48,10 @@ def subsystems(structure: Structure, state: State, *, drawbar: bool) -> list[tup
         coupled = np.abs(link.motions).T @ size @ np.abs(link.motions) > 0.0
         join(joined, structure.owner[link.dofs], coupled)
     first = first_joined(joined)
-    ordered = sorted(range(len(every)), key=lambda k: {"y": 0, "z": 1}.get(every[k].way, 2))
-    return [tuple(every[k] for k in ordered if first[k] == root) for root in np.unique(first)]
+    ordered = sorted(
+        range(len(components)), key=lambda k: {"y": 0, "z": 1}.get(components[k].way, 2)
+    )
+    return [tuple(components[k] for k in ordered if first[k] == root) for root in np.unique(first)]
 
 
 def assemble(
@@ -61,110 +63,110 @@ def assemble(
     softened: bool = False,
     pull: float = 1.0,
 ) -> Linear:
-    """The equation of a subsystem at every state.
+    """Return the equation of a subsystem at every state.
 
     ``force`` (s, elements of the shown mesh) [N]: axial force in the spindle's shaft, tension
-    positive; None: it and the drawbar do nothing to bending. ``softened``: Ω² M_ω is subtracted
+    positive; None: neither it nor the drawbar affects bending. ``softened``: Ω² M_ω is subtracted
     from the stiffness in the fixed frame, a formulation that no physics supports. ``pull``: share
-    of the drawbar's tension that holds it straight.
+    of the drawbar's tension that acts in its string stiffness.
     """
     speed, n = state.speed, sum(c.size for c in components)
     stiffness, damping = np.zeros((2, len(speed), n, n))
-    whole = Linear(structure, tuple(components), speed, stiffness, damping, ())
-    spin, pulled = speed[:, None, None], force if force is not None and force.any() else None
-    for component, at in zip(components, whole.slices, strict=True):
+    linear = Linear(structure, tuple(components), speed, stiffness, damping, ())
+    spin, axial = speed[:, None, None], force if force is not None and force.any() else None
+    for component, at in zip(components, linear.slices, strict=True):
         stiffness[:, at, at] += component.stiffness
         damping[:, at, at] += component.damping
         if softened and component.bends:
             stiffness[:, at, at] -= spin**2 * component.projected("softening")
-        if pulled is not None and component.lines[0].body == SPINDLE and component.bends:
-            stiffness[:, at, at] += geometric_stiffness(structure.slopes(component), pulled)
-    damping += spin * whole.gyroscopic
-    stiffness += spin * whole.turning
+        if axial is not None and component.lines[0].body == SPINDLE and component.bends:
+            stiffness[:, at, at] += geometric_stiffness(structure.slopes(component), axial)
+    damping += spin * linear.gyroscopic
+    stiffness += spin * linear.turning
     links = [(link, 1.0) for link in (*structure.connections, *structure.sleeve_springs)]
     links += [(link, pull) for link in structure.drawbar] if force is not None else []
-    connections, bodies = _joined(whole, links, state), stiffness.copy()
+    connections, bodies = _joined(linear, links, state), stiffness.copy()
     for connection in connections:
         stiffness += connection.stiffness
         if connection.matrices.damping.any():
             damping += connection.damping
-    whole = replace(whole, connections=tuple(connections), loss=_loss(whole, connections))
-    whole = replace(whole, isotropic=planes_alike(whole))
-    allowed = _allowed(whole, connections)
+    linear = replace(linear, connections=tuple(connections), loss=_loss(linear, connections))
+    linear = replace(linear, isotropic=planes_alike(linear))
+    allowed = _allowed(linear, connections)
     if allowed is None:
-        return whole
-    if whole.isotropic:  # solved as one plane: the other has the same coordinates, not only as many
+        return linear
+    if linear.isotropic:  # solved as one plane: the other has the very same coordinates
         half = [n // 2 for n in allowed.shape]
         allowed[half[0] :, half[1] :] = allowed[: half[0], : half[1]]
-    return replace(whole, allowed=allowed, bodies=bodies)
+    return replace(linear, allowed=allowed, bodies=bodies)
 
 
 def _joined(linear: Linear, links: Sequence[tuple[Link, float]], state: State) -> list[Connection]:
-    """Links that act on a subsystem, each with a share of its stiffness, in its coordinates."""
-    mine = np.zeros(linear.structure.dofs.count, dtype=bool)
+    """Return the links on a subsystem, each with a share of its stiffness, in its coordinates."""
+    included = np.zeros(linear.structure.dofs.count, dtype=bool)
     for component in linear.components:
-        mine[component.dofs] = True
-    links = [(link, share) for link, share in links if mine[link.dofs].any()]
+        included[component.dofs] = True
+    links = [(link, share) for link, share in links if included[link.dofs].any()]
     dofs = [link.dofs for link, _ in links]
-    moved = linear.moved(np.concatenate([np.zeros(0, dtype=np.intp), *dofs]))
+    motion = linear.moved(np.concatenate([np.zeros(0, dtype=np.intp), *dofs]))
     joined, end = [], 0
     for link, share in links:
-        held, damped = link.matrices(state)
-        begin, end = end, end + len(link.dofs)
-        motions = link.motions @ moved[begin:end]
-        joined.append(Connection(link, motions, LinkMatrices(share * held, damped)))
+        stiffness, damping = link.matrices(state)
+        start, end = end, end + len(link.dofs)
+        motions = link.motions @ motion[start:end]
+        joined.append(Connection(link, motions, LinkMatrices(share * stiffness, damping)))
     return joined
 
 
 def _allowed(linear: Linear, connections: Sequence[Connection]) -> Array | None:
-    """Motions that rigid supports allow, of which those that strain very stiff links stand apart;
-    coordinates of components that none joins stay apart too."""
+    """Return the motions that rigid supports allow, those that strain very stiff links separate;
+    coordinates of components that nothing joins are separate too."""
     size = np.concatenate([c.stiffness.diagonal() for c in linear.components])
-    least, none = STIFF * size[size > 0.0].min(initial=np.inf), np.zeros((0, linear.size))
+    least, empty = STIFF * size[size > 0.0].min(initial=np.inf), np.zeros((0, linear.size))
     damped = any(c.damping.any() for c in linear.components) or any(c.damped for c in connections)
     if linear.loss is not None or damped:
         least = np.inf  # motions of damped systems would lose digits instead
-    strained = [each.strained(least) for each in connections] if np.isfinite(least) else []
-    stiff = np.concatenate([none, *strained])
-    held = [each.motions[each.rigid > 0.0] for each in connections if each.link.rigid]
-    rigid = np.concatenate([none, *held])
+    strained = [c.strained(least) for c in connections] if np.isfinite(least) else []
+    stiff = np.concatenate([empty, *strained])
+    held = [c.motions[c.rigid > 0.0] for c in connections if c.link.rigid]
+    rigid = np.concatenate([empty, *held])
     rigid = rigid[rigid.any(axis=1)]
     rows = np.concatenate([rigid, stiff])
     if not len(rows):
         return None
     touched = np.array([rows[:, at].any(axis=1) for at in linear.slices]).T
     first = first_joined(touched.T @ touched)
-    blocks, every = [], np.arange(linear.size)
+    blocks, coordinates = [], np.arange(linear.size)
     for root in np.unique(first):
         joined = np.flatnonzero(first == root).tolist()
-        at = np.concatenate([every[linear.slices[k]] for k in joined])
-        mine, block = np.any(touched[:, joined], axis=1), np.zeros((linear.size, len(at)))
-        held, strained = rigid[mine[: len(rigid)]][:, at], stiff[mine[len(rigid) :]][:, at]
+        at = np.concatenate([coordinates[linear.slices[k]] for k in joined])
+        involved, block = np.any(touched[:, joined], axis=1), np.zeros((linear.size, len(at)))
+        held, strained = rigid[involved[: len(rigid)]][:, at], stiff[involved[len(rigid) :]][:, at]
         allowed = allowed_motions(held, size[at]) if len(held) else np.eye(len(at))
         if len(strained):
-            still = allowed_motions(np.concatenate([held, strained]), size[at])
-            allowed = np.hstack([still, strained_motions(still, allowed, strained)])
+            unstrained = allowed_motions(np.concatenate([held, strained]), size[at])
+            allowed = np.hstack([unstrained, strained_motions(unstrained, allowed, strained)])
         block[at, np.arange(len(at))] = 1.0
         blocks.append(block @ allowed)
     return np.hstack(blocks)
 
 
 def _loss(linear: Linear, connections: Sequence[Connection]) -> Hysteresis | None:
-    """Loss factors times stiffness; None where there are none."""
+    """Return loss factors times stiffness; None where there are none."""
     spindle = linear.structure.spindle
     if not spindle.hysteretic:
         return None
     n = linear.size
-    fixed, turning, across = np.zeros((1, n, n)), np.zeros((n, n)), np.zeros((n, n))
+    fixed, rotating, across = np.zeros((1, n, n)), np.zeros((n, n)), np.zeros((n, n))
     for component, at in zip(linear.components, linear.slices, strict=True):
         if component.spindle is not None:
-            where = turning if component.bends else fixed[0]
-            where[at, at] += spindle.loss_factor * component.stiffness
+            target = rotating if component.bends else fixed[0]
+            target[at, at] += spindle.loss_factor * component.stiffness
     for y, z in planes_of(linear):
         in_y, in_z = linear.slices[y], linear.slices[z]
-        across[in_y, in_z] += turning[in_y, in_y]
-        across[in_z, in_y] -= turning[in_z, in_z]
+        across[in_y, in_z] += rotating[in_y, in_y]
+        across[in_z, in_y] -= rotating[in_z, in_z]
     for connection in connections:
         if connection.link.loss_factor:
             fixed = fixed + connection.link.loss_factor * connection.stiffness
-    return Hysteresis(fixed, turning, across)
+    return Hysteresis(fixed, rotating, across)

@@ -1,4 +1,4 @@
-"""What the axial force N in a shaft does to its bending: ∫ N v′ w′ dx in each plane.
+"""Effect of the axial force N in a shaft on its bending: ∫ N v′ w′ dx in each plane.
 
 Theory: docs/theory/axial_force.md.
 """
@@ -15,20 +15,20 @@ from rotordyn.equation.mesh import Mesh
 from rotordyn.equation.shaft import Rows, Shaft
 
 GAUSS = 7  # degree up to which the work of the axial force is integrated exactly
-NOTHING = 1e-15  # of the largest: fields of force that are rounding of the others
+NOTHING = 1e-15  # of the largest: a smaller field of force is rounding of the others
 
 
 class Slopes(NamedTuple):
-    """Weighted slopes of a plane: ``rows`` (places, …) and the shown ``element`` of each place."""
+    """Weighted slopes in a plane: ``rows`` (places, …) and the shown ``element`` of each place."""
 
     rows: Array
     element: Indices
 
 
 def slope_rows(shaft: Shaft, shown: Mesh, way: str) -> tuple[list[Rows], Indices]:
-    """Slopes of a plane at Gauss points of every element of the mesh ``shown``, times the root of
-    the length that each stands for, and the element of each; slopes jump at nodes of the shaft, so
-    that none of its elements shares a Gauss rule with the next."""
+    """Return slopes in a plane at Gauss points of every element of the mesh ``shown``, times the
+    root of the length that each represents, and the element of each; slopes jump at nodes of the
+    shaft, so that none of its elements shares a Gauss rule with the next."""
     xi, weight = points(GAUSS)
     ends = np.unique(np.concatenate([shown.x, shaft.mesh.x]))
     middle, length = (ends[1:] + ends[:-1]) / 2.0, np.diff(ends)
@@ -39,14 +39,14 @@ def slope_rows(shaft: Shaft, shown: Mesh, way: str) -> tuple[list[Rows], Indices
 
 
 def geometric_stiffness(slopes: Slopes, force: Array) -> Array:
-    """(s, m, m) of coordinates with ``slopes`` (places, m) under the axial ``force`` (s, elements)
-    [N], tension positive, by the few fields that forces are made of; NaN where it is not known."""
-    known = np.isfinite(force).all(axis=1)
-    states, size, fields = np.linalg.svd(force[known], full_matrices=False)
+    """Return the stiffness (s, m, m) of coordinates with ``slopes`` (places, m) by the axial
+    ``force`` (s, elements) [N], tension positive, from its few fields; NaN where it is unknown."""
+    finite = np.isfinite(force).all(axis=1)
+    states, size, fields = np.linalg.svd(force[finite], full_matrices=False)
     clear = size > NOTHING * size[0] if size.size else size > 0.0
-    rows, each = slopes.rows, fields[clear][:, slopes.element]
-    unit = np.array([rows.T @ (one[:, None] * rows) for one in each])
-    unit = unit.reshape(len(each), rows.shape[1], rows.shape[1])
+    rows, at_places = slopes.rows, fields[clear][:, slopes.element]
+    unit = np.array([rows.T @ (field[:, None] * rows) for field in at_places])
+    unit = unit.reshape(len(at_places), rows.shape[1], rows.shape[1])
     total = np.full((len(force), *unit.shape[1:]), np.nan)
-    total[known] = np.tensordot(states[:, clear] * size[clear], unit, 1)
+    total[finite] = np.tensordot(states[:, clear] * size[clear], unit, 1)
     return total

@@ -1,4 +1,4 @@
-"""One uncoupled motion of one body, reduced: found as what the constant matrices of the terms join.
+"""One uncoupled motion of one body, reduced: the DOF that constant matrices of terms couple.
 
 A free shaft has four: axial motion, torsion, bending in plane y and in plane z. Its coordinates are
 free modes up to a cut-off and static modes at ports (``reduce``), or its rigid motions alone; those
@@ -30,8 +30,8 @@ REDUCED = ("mass", "stiffness")  # matrices that the reduction of a shaft follow
 
 
 class Coarse(NamedTuple):
-    """The same ``component`` of a coarser model: its DOF ``there`` have the shape functions of the
-    DOF ``here`` of the finer one."""
+    """The ``component`` of a coarser model: its DOF ``there`` have the shape functions of the DOF
+    ``here`` of the finer one."""
 
     component: Component
     here: Indices
@@ -42,13 +42,13 @@ class Coarse(NamedTuple):
 class Component:
     """DOF ``dofs`` (n,) of ``lines``, and the ``parts`` on them.
 
-    ``rigid``: rigid motions of a free shaft, empty of what is no shaft; ``ports``: DOF that keep a
-    static mode; ``spindle``: the rotor whose damping it has, None of what is no shaft, and
-    ``ratio``, its speed over the spindle's. ``solved``: components with the same matrices share one
-    reduction. ``polar``: gyroscopic parts in one plane whose forces on modes up to ``band`` [rad/s]
-    static modes answer; none where they need not. ``pressed``: weighted slopes where an axial force
-    may come near to buckling, None elsewhere. ``coarse``: where there is a coarser model, whose
-    vectors begin the reduction of a large component. ``inertial``: static modes answer the inertia
+    ``rigid``: rigid motions of a free shaft, empty for other bodies; ``ports``: DOF that keep a
+    static mode; ``spindle``: the rotor whose damping it has, None for other bodies, and ``ratio``,
+    its speed over the spindle's. ``solved``: components with the same matrices share one reduction.
+    ``polar``: gyroscopic parts in one plane whose forces on modes up to ``band`` [rad/s] static
+    modes represent; empty where they need not. ``pressed``: weighted slopes where an axial force
+    may come near to buckling, None elsewhere. ``coarse``: the coarser model, if any, whose vectors
+    begin the reduction of a large component. ``inertial``: static modes represent the inertia
     forces of those at ports as well.
     """
 
@@ -70,12 +70,12 @@ class Component:
 
     @property
     def way(self) -> str:
-        """ "y", "z", "x", "thx", or "" where lines of several ways or none are joined."""
+        """ "y", "z", "x", "thx", or "" where lines of several directions or none are joined."""
         ways = {line.way for line in self.lines}
         return ways.pop() if len(ways) == 1 else ""
 
     def local(self, dofs: Indices) -> Indices:
-        """Places of DOF of the component among them."""
+        """Return the indices of DOF within the component."""
         return np.asarray(self._place[dofs])
 
     @cached_property
@@ -85,12 +85,12 @@ class Component:
         return place
 
     def has(self, dofs: Indices) -> np.ndarray:
-        """Which of some DOF are its own."""
-        place = np.minimum(np.searchsorted(self.dofs, dofs), len(self.dofs) - 1)
-        return np.asarray(self.dofs[place] == dofs)
+        """Return which DOF belong to the component."""
+        index = np.minimum(np.searchsorted(self.dofs, dofs), len(self.dofs) - 1)
+        return np.asarray(self.dofs[index] == dofs)
 
     def assembled(self, name: str, parts: list[Part] | None = None) -> Matrix:
-        """A matrix (n, n) of the parts of that name."""
+        """Return the matrix (n, n) of the parts of that name."""
         chosen = [p for p in parts or self.parts if p.matrix == name]
         size = len(self.dofs)
         blocks = [(self.local(p.rows), self.local(p.columns), p.blocks) for p in chosen]
@@ -98,23 +98,22 @@ class Component:
 
     @property
     def large(self) -> bool:
-        """True where matrices are of compressed rows."""
+        """True if matrices have compressed rows."""
         return len(self.dofs) >= LARGE
 
     def displaced(self, count: int, rows: list[Rows]) -> Array:
-        """Motion of ``count`` places by the coordinates (count, m), rows of DOF as a shaft gives
-        them."""
+        """Return motions (count, m) of ``count`` places by the coordinates, from a shaft's rows."""
         return np.asarray(self.placed(count, rows) @ self.vectors)
 
     def placed(self, count: int, rows: list[Rows]) -> Matrix:
-        """The same by the DOF (count, n)."""
+        """Return the motion of ``count`` places by the DOF (count, n)."""
         local = [(places, self.local(dofs), factors) for places, dofs, factors in rows]
         large = self.large or count * len(self.dofs) > 1_000_000
         return summed((count, len(self.dofs)), local, large=large)
 
     @property
     def size(self) -> int:
-        """Coordinates m."""
+        """Number of coordinates m."""
         return self.vectors.shape[1]
 
     @property
@@ -124,7 +123,7 @@ class Component:
 
     @property
     def values(self) -> Array:
-        """Stiffness of the coordinates (m,), of a shaft; (m, m) of other bodies."""
+        """Stiffness of the coordinates of a shaft (m,); (m, m) of other bodies."""
         return self._reduced[1]
 
     @property
@@ -135,31 +134,31 @@ class Component:
 
     @cached_property
     def stiffness(self) -> Array:
-        """(m, m)"""
+        """Stiffness in the coordinates (m, m)."""
         return np.diag(self.values) if self.values.ndim == 1 else self.values
 
     @cached_property
     def own_damping(self) -> Array:
-        """Modal and Rayleigh's (m, m)."""
+        """Modal and Rayleigh damping (m, m)."""
         if self.spindle is None:
             return np.zeros((self.size, self.size))
         return modal_damping(self.spindle, self.values, self._reduced[2], bending=self.bends)
 
     @cached_property
     def damping(self) -> Array:
-        """With that of dampers inside the body."""
+        """Damping (m, m), with that of dampers inside the body."""
         return self.own_damping + self.projected("damping")
 
     @cached_property
     def turning(self) -> Array:
-        """What of it turns with the rotor, per unit of the spindle's speed (m, m): of bending."""
+        """Bending damping that rotates with the rotor, per unit of the spindle's speed (m, m)."""
         damping = self.projected("turning")
         if self.spindle is None or not self.spindle.internal_damping or not self.bends:
             return damping
         return damping + self.ratio * self.spindle.internal_damping * self.own_damping
 
     def projected(self, name: str) -> Array:
-        """A matrix in the coordinates (m, m)."""
+        """Return a matrix in the coordinates (m, m)."""
         if not any(part.matrix == name for part in self.parts):
             return np.zeros((self.size, self.size))
         return np.asarray(self.vectors.T @ (self.assembled(name) @ self.vectors))
@@ -189,8 +188,8 @@ class Component:
             rigid[self.local(dofs)] = motion
         if self.cutoff == 0.0:  # a rigid rotor
             factor = np.linalg.cholesky(rigid.T @ (mass @ rigid))
-            none = np.zeros(rigid.shape[1])
-            return np.asarray(np.linalg.solve(factor, rigid.T).T), none, np.diag(none)
+            zero = np.zeros(rigid.shape[1])
+            return np.asarray(np.linalg.solve(factor, rigid.T).T), zero, np.diag(zero)
         ports = np.zeros((len(self.dofs), len(self.ports)))
         ports[self.local(self.ports), np.arange(len(self.ports))] = 1.0
         couplings = []
@@ -201,11 +200,11 @@ class Component:
             slopes = self.placed(count, rows)
             couplings.append(Coupling(slopes.T @ slopes, self.cutoff, statics=True))
         if self.coarse is not None and self.large:
-            coarser, here, there = self.coarse
+            coarser, fine_dofs, coarse_dofs = self.coarse
             vectors = coarser.vectors[:, ~coarser.is_rigid]
-            known = np.zeros((len(self.dofs), vectors.shape[1]))
-            known[self.local(here)] = vectors[coarser.local(there)]
-            basis = enriched(mass, stiffness, rigid, known, couplings)
+            start = np.zeros((len(self.dofs), vectors.shape[1]))
+            start[self.local(fine_dofs)] = vectors[coarser.local(coarse_dofs)]
+            basis = enriched(mass, stiffness, rigid, start, couplings)
         else:
             if self.inertial:
                 couplings.append(Coupling(mass, 0.0, statics=True))

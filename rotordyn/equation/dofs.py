@@ -20,8 +20,8 @@ PLANE_OF = {"y": "y", "thz": "y", "z": "z", "thy": "z"}  # bending plane of each
 
 
 class Line(NamedTuple):
-    """DOF of one ``body`` that move in one way: "x", "thx", the bending planes "y" and "z", or ""
-    of coordinates that have no direction of their own."""
+    """DOF of one ``body`` that move in one direction ``way``: "x", "thx", the bending planes "y"
+    and "z", or "" of coordinates without one."""
 
     body: str
     way: str
@@ -42,8 +42,7 @@ class Dofs:
         self.count = 0
 
     def add(self, body: str, directions: Sequence[str], times: int = 1) -> Indices:
-        """Numbers (times, directions) of new DOF of a body; "" are coordinates without a
-        direction."""
+        """Add DOF of a body, "" without a direction; return their numbers (times, directions)."""
         lines = [Line(body, PLANE_OF.get(name, name)) for name in directions]
         self.lines += [line for line in dict.fromkeys(lines) if line not in self.lines]
         self._line.append(np.tile([self.lines.index(line) for line in lines], times))
@@ -54,17 +53,17 @@ class Dofs:
 
     @property
     def line(self) -> Indices:
-        """Place in ``lines`` of every DOF (DOF,)."""
+        """Index in ``lines`` of every DOF (DOF,)."""
         return np.concatenate(self._line)
 
     @property
     def sign(self) -> Array:
-        """(DOF,)"""
+        """Sign of every DOF (DOF,)."""
         return np.concatenate(self._sign)
 
 
 def position(direction: str) -> int:
-    """Place of a direction among the six of a node.
+    """Return the index of a direction among the six of a node.
 
     Raises
     ------

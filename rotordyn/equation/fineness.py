@@ -1,4 +1,4 @@
-"""How fine a model is: what accuracy asks of elements and of their reduction.
+"""Fineness of a model: elements and their reduction for a required accuracy.
 
 An element of degree n that a wave of number k crosses over a length h errs in frequency by
 
@@ -26,16 +26,16 @@ import numpy as np
 from rotordyn.arrays import Array, Indices
 
 USUAL = 1e-4  # relative error of a frequency that a designer does not notice
-CUTOFF = 2.5  # free-free modes kept, over the highest frequency asked, at the usual accuracy
-STANDARD_CUTOFF = 4.0  # the same with standard elements, whose own error is to stand alone
-WEIGHTLESS = 30.0  # frequency of what has no mass, over the highest asked, at the usual accuracy
-PRECISE = 1e-5  # accuracy below which gyroscopic forces are answered
+CUTOFF = 2.5  # free-free modes kept, over the highest frequency required, at the usual accuracy
+STANDARD_CUTOFF = 4.0  # the same with standard elements, whose own error is to dominate
+WEIGHTLESS = 30.0  # frequency of massless DOF over the highest required, at the usual accuracy
+PRECISE = 1e-5  # accuracy below which gyroscopic forces get static modes
 HEAVIEST = 1e3  # of the cut-off: no coordinate has a higher frequency
 OWN_MASS = 0.1 * HEAVIEST  # of the cut-off: a fictitious mass changes lower frequencies by 1 %
 FINER = 2.0  # cut-off of a finer model over that of the one before; 1.5 may add no mode
-HIGHEST = 10
-FAR, HALVINGS = 1e12, 30
-SAFETY = 5.0  # what is aimed at lies below what is asked by this
+HIGHEST = 10  # degree of elements
+FAR, HALVINGS = 1e12, 30  # of a start, in ``resolved``; of the interval
+SAFETY = 5.0  # required error over the one aimed at
 _DEGREES = np.arange(1, HIGHEST + 1)
 _CONE = np.array(
     [
@@ -46,15 +46,15 @@ _CONE = np.array(
 _FACTOR = np.array(
     [0.5 * (math.factorial(n) / math.factorial(2 * n)) ** 2 / (2 * n + 1) for n in _DEGREES]
 )
-SLOWEST = 1e-6  # rad/s
+SLOWEST = 1e-6  # rad/s: least band
 
 
 @dataclass(frozen=True, slots=True)
 class Fineness:
-    """How good a model must be: relative ``accuracy`` of every frequency up to ``frequency`` [Hz].
+    """Required fineness of a model: relative ``accuracy`` of frequencies up to ``frequency`` [Hz].
 
     ``spin`` [rad/s]: highest speed. ``accuracy`` None: standard elements between the nodes of the
-    mesh, whatever they give. ``finer``: steps beyond that; each is one degree more in every
+    mesh, whatever their error. ``finer``: steps beyond that; each is one degree more in every
     element, or half the length of standard ones, and a cut-off ``FINER`` times as high.
     """
 
@@ -65,26 +65,26 @@ class Fineness:
 
     @property
     def band(self) -> float:
-        """The highest frequency asked for [rad/s], or the least one whose squares are numbers."""
+        """Highest frequency required [rad/s], or the least one whose squares are numbers."""
         return max(2.0 * math.pi * self.frequency, SLOWEST)
 
     @property
     def cutoff(self) -> float:
-        """Up to which free-free modes are kept [rad/s]: the error by those left out falls with its
-        fourth power."""
+        """Frequency up to which free-free modes are kept [rad/s]: the error by truncated ones falls
+        with its fourth power."""
         factor = STANDARD_CUTOFF if self.accuracy is None else CUTOFF * self._finer**0.25
         return FINER**self.finer * factor * self.band
 
     @property
     def gyroscopic(self) -> bool:
-        """Whether static modes answer the gyroscopic forces of the modes asked for: cheaper than a
-        higher cut-off where much accuracy is asked for."""
+        """True if static modes represent the gyroscopic forces of the modes required: cheaper than
+        a higher cut-off for high accuracy."""
         return self.finer > 0 or self._precise
 
     @property
     def slow(self) -> float:
-        """Up to which modes gyroscopic forces are answered [rad/s]: beyond the band, since
-        free-free modes above it take part in modes below."""
+        """Frequency up to which modes get static modes of gyroscopic forces [rad/s]: beyond the
+        band, since free-free modes above it contribute to modes below."""
         return FINER ** (self.finer + self._precise) * self.band
 
     @property
@@ -99,26 +99,26 @@ class Fineness:
 
     @property
     def own_mass(self) -> float:
-        """Below that [rad/s] motions have the mass of the machine; next to massless coordinates
-        above may have a fictitious one."""
+        """Frequency [rad/s] below which motions have the mass of the machine; above, nearly
+        massless coordinates may have a fictitious one."""
         return OWN_MASS * self.cutoff
 
     @property
     def _finer(self) -> float:
-        """How many times as accurate as usual, at least once."""
+        """Factor by which the model is more accurate than usual, at least 1."""
         return 1.0 if self.accuracy is None else max(1.0, USUAL / self.accuracy)
 
 
 def least_degree(phase: Array, tolerance: float, ratio: Array) -> Indices:
-    """The lowest degree within ``tolerance`` at each phase and ``ratio`` of diameters; 0 where none
-    up to ``HIGHEST`` is."""
+    """Return the lowest degree within ``tolerance`` at each phase and ``ratio`` of diameters; 0
+    where none up to ``HIGHEST`` is."""
     errors = _FACTOR * _derivatives(phase, ratio) ** 2
-    good = errors <= tolerance
-    return np.where(good.any(axis=-1), good.argmax(axis=-1) + 1, 0).astype(np.intp)
+    sufficient = errors <= tolerance
+    return np.where(sufficient.any(axis=-1), sufficient.argmax(axis=-1) + 1, 0).astype(np.intp)
 
 
 def _derivatives(phase: Array, ratio: Array) -> Array:
-    """hⁿ times the n-th derivative of the strain, over its size, of every degree n."""
+    """Return hⁿ times the n-th derivative of the strain, over its size, of every degree n."""
     value, root = phase[..., None] ** (1.0 * _DEGREES), np.sqrt(ratio)
     if (ratio == 1.0).all():
         return np.asarray(value)
@@ -130,13 +130,13 @@ def _derivatives(phase: Array, ratio: Array) -> Array:
 
 
 def cut(ratio: Array, parts: Indices) -> Array:
-    """Ratio of the diameters at the ends of the steepest of equal parts of a cone of ``ratio``."""
+    """Return the ratio of end diameters of the steepest of equal parts of a cone of ``ratio``."""
     return np.asarray(1.0 + (ratio - 1.0) / parts)
 
 
 def parts_and_degree(phase: Array, tolerance: float, ratio: Array) -> tuple[Indices, Indices]:
-    """Into how many equal parts lengths of ``phase`` are cut, cones with a ``ratio`` of the
-    diameters at their ends, and their degree."""
+    """Return the number of equal parts into which lengths of ``phase`` are cut, cones with a
+    ``ratio`` of the diameters at their ends, and their degree."""
     parts = np.ones(len(phase), dtype=np.intp)
     while not (degree := least_degree(phase / parts, tolerance / SAFETY, cut(ratio, parts))).all():
         parts = np.where(degree == 0, parts + 1 + parts // 4, parts)
@@ -144,8 +144,8 @@ def parts_and_degree(phase: Array, tolerance: float, ratio: Array) -> tuple[Indi
 
 
 def resolved(error: Callable[[float], float], tolerance: float, start: float) -> float:
-    """Highest angular frequency [rad/s] up to which ``error`` (growing) stays within
-    ``tolerance``, by bisection from ``start``; infinite where nothing bends."""
+    """Return the highest angular frequency [rad/s] up to which ``error`` (growing) stays within
+    ``tolerance``, by bisection from ``start``; beyond ``FAR`` × ``start`` if nothing bends."""
     low, high = 0.0, start
     while error(high) <= tolerance and high < FAR * start:
         low, high = high, 2.0 * high
@@ -158,7 +158,7 @@ def resolved(error: Callable[[float], float], tolerance: float, start: float) ->
 def bending_wave(
     omega: float, spin: float, shear: Array, bending: Array, line_mass: Array, rotary: Array
 ) -> Array:
-    """Largest wave number [1/m] of whirl at ``omega`` [rad/s] either way, of each section.
+    """Return the largest wave number [1/m] of whirl at ±``omega`` [rad/s] in each section.
 
     ``shear`` κGA [N], ``bending`` EI [N·m²], ``line_mass`` ρA [kg/m], ``rotary`` ρI [kg·m].
     """
@@ -170,5 +170,5 @@ def bending_wave(
 
 
 def rod_wave(omega: float, rigidity: Array, line_inertia: Array) -> Array:
-    """Wave number [1/m] of axial motion or torsion at ``omega`` [rad/s]."""
+    """Return the wave number [1/m] of axial motion or torsion at ``omega`` [rad/s]."""
     return omega * np.sqrt(line_inertia / rigidity)

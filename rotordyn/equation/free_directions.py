@@ -1,5 +1,4 @@
-"""Motions of a subsystem that nothing holds: counted by what joins its bodies, not by how stiff
-that is."""
+"""Free motions of a subsystem, counted by the links of its bodies, not by their stiffness."""
 
 from __future__ import annotations
 
@@ -15,44 +14,46 @@ from rotordyn.numerics.modes import NOTHING
 
 
 def free_directions(linear: Linear, rows: Iterable[int]) -> list[int]:
-    """How many motions nothing holds at some of the speeds.
+    """Return the number of free motions at some of the speeds.
 
-    They strain no body, and no link answers them, whatever its stiffness, unless that is
-    ``NOTHING`` beside the largest; the axial force does not count.
+    They strain no body, and no link resists them, whatever its stiffness, unless that is less than
+    ``NOTHING`` of the largest; the axial force does not count.
     """
     if not (rows := list(rows)):
         return []
-    still, moved, sizes, answered = _unstrained(linear), [], [], False
-    for each in linear.connections:
-        relative, size = each.motions @ still, np.linalg.norm(each.motions, axis=1)
+    unstrained, relative_motions, sizes, resisted = _unstrained(linear), [], [], False
+    for c in linear.connections:
+        relative, size = c.motions @ unstrained, np.linalg.norm(c.motions, axis=1)
         sizes.append(np.outer(size, size))
         relative[np.linalg.norm(relative, axis=1) <= DEPENDENT * size] = 0.0
-        answered |= bool(each.link.rigid) or bool((each.matrices.stiffness @ relative).any())
-        moved.append(_of_unit_rows(relative))
-    if not answered:  # most shafts turn freely
-        return [still.shape[1]] * len(rows)
-    known: dict[bytes, int] = {}  # which entries are zero is the same at most speeds
+        resisted |= bool(c.link.rigid) or bool((c.matrices.stiffness @ relative).any())
+        relative_motions.append(_unit_rows(relative))
+    if not resisted:  # most shafts rotate freely
+        return [unstrained.shape[1]] * len(rows)
+    free_counts: dict[bytes, int] = {}  # which entries are zero is the same at most speeds
     counts = []
     for row in rows:
-        held = [at_rows(c.matrices.stiffness, np.array([row]))[0] for c in linear.connections]
+        stiffness = [at_rows(c.matrices.stiffness, np.array([row]))[0] for c in linear.connections]
         least = NOTHING * np.abs(linear.stiffness[row]).max(initial=0.0)
-        held = [
+        stiffness = [
             np.where(np.abs(matrix) * size < least, 0.0, matrix)
-            for matrix, size in zip(held, sizes, strict=True)
+            for matrix, size in zip(stiffness, sizes, strict=True)
         ]
-        key = b"".join((matrix != 0.0).tobytes() for matrix in held)
-        if key not in known:
-            answers = [np.zeros((1, still.shape[1]))]
-            for each, matrix, relative in zip(linear.connections, held, moved, strict=True):
-                answers.append((_of_unit(matrix) + np.diag(each.rigid)) @ relative)
-            rank = int(np.linalg.matrix_rank(np.concatenate(answers), DEPENDENT))
-            known[key] = still.shape[1] - rank
-        counts.append(known[key])
+        key = b"".join((matrix != 0.0).tobytes() for matrix in stiffness)
+        if key not in free_counts:
+            resistances = [np.zeros((1, unstrained.shape[1]))]
+            for c, matrix, relative in zip(
+                linear.connections, stiffness, relative_motions, strict=True
+            ):
+                resistances.append((_scaled(matrix) + np.diag(c.rigid)) @ relative)
+            rank = int(np.linalg.matrix_rank(np.concatenate(resistances), DEPENDENT))
+            free_counts[key] = unstrained.shape[1] - rank
+        counts.append(free_counts[key])
     return counts
 
 
 def _unstrained(linear: Linear) -> Array:
-    """Motions that strain no body (n, k)."""
+    """Return the motions that strain no body (n, k)."""
     motions = [np.zeros((linear.size, 0))]
     for component, at in zip(linear.components, linear.slices, strict=True):
         values, vectors = np.linalg.eigh(component.stiffness)
@@ -63,10 +64,10 @@ def _unstrained(linear: Linear) -> Array:
 
 
 def too_stiff(linear: Linear) -> str:
-    """A sentence about the stiffest link."""
+    """Return a sentence about the stiffest link."""
 
-    def largest(each: Connection) -> float:
-        return float(np.abs(each.stiffness).max())
+    def largest(connection: Connection) -> float:
+        return float(np.abs(connection.stiffness).max())
 
     stiffest = max(linear.connections, key=largest)
     return (
@@ -76,15 +77,15 @@ def too_stiff(linear: Linear) -> str:
     )
 
 
-def _of_unit(matrix: Array) -> Array:
-    """A matrix (n, n) with rows and columns in their own measure."""
+def _scaled(matrix: Array) -> Array:
+    """Return a matrix (n, n) with rows and columns scaled by their size."""
     size = np.abs(matrix)
     scale = np.sqrt(np.maximum(size.max(axis=0), size.max(axis=1)))
     scale = np.where(scale > 0.0, scale, 1.0)
     return np.asarray(matrix / scale[:, None] / scale)
 
 
-def _of_unit_rows(rows: Array) -> Array:
-    """Rows (k, n) of length 1, or 0."""
+def _unit_rows(rows: Array) -> Array:
+    """Return rows (k, n) scaled to length 1, or 0."""
     size = np.linalg.norm(rows, axis=1, keepdims=True)
     return np.asarray(rows / np.where(size > 0.0, size, 1.0))

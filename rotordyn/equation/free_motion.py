@@ -1,8 +1,8 @@
-"""Free motions of a subsystem: poles and vectors at every speed, and receptances summed of them.
+"""Free motions of a subsystem: poles and vectors at every speed, and receptances as their sums.
 
 Where both planes obey the same equations they are solved as one complex plane r = y + i z, half the
-unknowns: whirl at a pole of Im > 0 is forward, of Im < 0 backward. Whatever form they are solved
-in, motions are given over all coordinates of the subsystem, one of every pair of conjugates.
+unknowns: whirl at a pole of Im > 0 is forward, of Im < 0 backward. In whatever form they are
+solved, motions are returned over all coordinates of the subsystem, one of every pair of conjugates.
 """
 
 from __future__ import annotations
@@ -25,14 +25,14 @@ from rotordyn.errors import InvalidInput
 from rotordyn.numerics.modes import Modes, grows, modes, residual, unsolved
 
 S = TypeVar("S", bound=np.generic)
-LOST = 0.1  # of a pole: rounding that moves it by more leaves nothing of it
+LOST = 0.1  # of a pole: with a larger change by rounding it has no meaning
 FORWARD = np.array([1.0, -1.0j])  # planes y and z of whirl r e^(iωt)
 
 
 @dataclass(frozen=True, eq=False)
 class FreeMotions:
-    """Of ``linear``, solved as ``modes`` of one complex plane or of all coordinates; those of one
-    system serve all speeds where nothing changes with speed.
+    """Free motions of ``linear``, solved as ``modes`` of one complex plane or of all coordinates;
+    those of one system serve all speeds where nothing changes with speed.
 
     ``pole`` (s, k) [rad/s], Im ≥ 0, NaN where a speed has fewer; ``vector`` (s, n, k); ``left``
     (s, k, n): the receptance at iω is Σ vector left / (iω − pole) and, of Im > 0, the conjugate.
@@ -44,180 +44,179 @@ class FreeMotions:
 
     @property
     def solved_once(self) -> bool:
-        """One system serves all speeds."""
+        """True if one system serves all speeds."""
         return len(self.modes.pole) == 1
 
     def _each(self, values: NDArray[S]) -> NDArray[S]:
-        """Values (s or 1, …) at every speed."""
+        """Return values (s or 1, …) at every speed."""
         return np.broadcast_to(values, (len(self.linear.speed), *values.shape[1:]))
 
     @property
     def whirling(self) -> bool:
-        """Solved as one complex plane."""
+        """True if solved as one complex plane."""
         return self.linear.isotropic
 
     @cached_property
     def _chosen(self) -> tuple[Indices, Flags]:
-        """Columns of ``modes`` (s, k), and which of them fill up a row."""
-        columns, many = self.modes.one_of_each_pair()
-        return columns, many == 0.0
+        """Columns of ``modes`` (s, k), and which of them only fill up a row."""
+        columns, number = self.modes.one_of_each_pair()
+        return columns, number == 0.0
 
     @cached_property
     def pole(self) -> Complex:
-        """(s, k)"""
+        """Poles of Im ≥ 0 (s, k) [rad/s]; NaN where a speed has fewer."""
         if self.whirling:
             pole = self.modes.pole
             return self._each(np.where(pole.imag < 0.0, pole.conj(), pole))
-        columns, none = self._chosen
+        columns, filler = self._chosen
         pole = np.take_along_axis(self.modes.pole, columns, axis=-1)
-        pole[none] = complex(np.nan, np.nan)
+        pole[filler] = complex(np.nan, np.nan)
         return self._each(pole)
 
     @cached_property
     def rounding(self) -> Array:
-        """Change of each pole by rounding of the stiffness, over its size (s, k): what supports far
-        stiffer than the shaft leave of its digits."""
+        """Relative change of each pole by rounding of the stiffness (s, k): supports far stiffer
+        than the shaft leave few of its digits."""
         with np.errstate(divide="ignore", invalid="ignore"):
             relative = self.modes.rounding / np.abs(self.modes.pole)
-        return self._each(self._shown(relative))
+        return self._each(self._of_returned(relative))
 
     @cached_property
     def vector(self) -> Complex:
-        """(s, n, k)"""
-        return self._given(self.modes.vector, 0.5, -1j)
+        """Right vectors (s, n, k)."""
+        return self._in_coordinates(self.modes.vector, 0.5, -1j)
 
     @cached_property
     def left(self) -> Complex:
-        """(s, k, n)"""
-        columns = self._given(np.swapaxes(self.modes.participation, 1, 2), 1.0, 1j)
+        """Left vectors (s, k, n)."""
+        columns = self._in_coordinates(np.swapaxes(self.modes.participation, 1, 2), 1.0, 1j)
         return np.swapaxes(columns, 1, 2)
 
-    def _given(self, columns: Complex, size: float, turn: complex) -> Complex:
-        """Of ``columns`` of all ``modes`` (s, m, 2n) those that are given, over all coordinates
+    def _in_coordinates(self, columns: Complex, size: float, turn: complex) -> Complex:
+        """Return ``columns`` (s, m, 2n) of the modes that are returned over all coordinates
         (s, n, k): whirl of some ``size`` in plane y and, by a quarter ``turn``, in plane z."""
         if not self.whirling:
             chosen = np.take_along_axis(columns, self._chosen[0][:, None, :], axis=2)
             return self._each(self._expanded(chosen))
-        whole, back = self._expanded(columns), (self.modes.pole.imag < 0.0)[:, None]
-        y = size * np.where(back, whole.conj(), whole)
+        expanded, back = self._expanded(columns), (self.modes.pole.imag < 0.0)[:, None]
+        y = size * np.where(back, expanded.conj(), expanded)
         return self._each(np.concatenate([y, np.where(back, -turn, turn) * y], axis=1))
 
     @cached_property
     def _allowed(self) -> Array | None:
         """Motions that the modes are made of, in the coordinates of the subsystem or of its plane;
-        None where these are theirs."""
-        whole = self.linear.allowed
-        if whole is None or not self.whirling:
-            return whole
-        return whole[: whole.shape[0] // 2, : whole.shape[1] // 2]
+        None where these are coordinates of the modes."""
+        allowed = self.linear.allowed
+        if allowed is None or not self.whirling:
+            return allowed
+        return allowed[: allowed.shape[0] // 2, : allowed.shape[1] // 2]
 
     def _expanded(self, vector: Complex) -> Complex:
         return vector if self._allowed is None else np.asarray(self._allowed @ vector)
 
-    def _folded(self, rows: Array) -> Array:
-        """Rows (pairs, n) in the coordinates of the modes."""
+    def _restricted(self, rows: Array) -> Array:
+        """Return rows (pairs, n) in the coordinates of the modes."""
         return rows if self._allowed is None else along(rows, self._allowed)
 
     @cached_property
     def whirl(self) -> Array:
-        """+1 of forward and −1 of backward whirl where planes are one, else 0 (s, k)."""
+        """+1 for forward and −1 for backward whirl where planes are one, else 0 (s, k)."""
         sign = np.where(self.modes.pole.imag < 0.0, -1.0, 1.0)
         return self._each(sign) if self.whirling else np.zeros(self.pole.shape)
 
     @cached_property
     def at_rest(self) -> Flags:
-        """Motions that nothing holds: poles at zero (s, k).
+        """Rigid-body motions: poles at zero (s, k).
 
         Raises
         ------
         InvalidInput : a support so stiff that motions on other supports are lost in rounding
         """
-        return self._each(self._shown(self._free))
+        return self._each(self._of_returned(self._free))
 
     @cached_property
     def _free(self) -> Flags:
-        """The same of all ``modes``: no more than what joins the parts leaves free, for beside very
+        """The same of all ``modes``: no more than the links of the parts leave free, for with very
         stiff supports slow motions look like free ones."""
         free = self.modes.at_rest()
         order = np.abs(self.modes.pole).argsort(axis=-1).argsort(axis=-1)
         rows = np.flatnonzero(free.any(axis=-1)).tolist()
-        for row, many in zip(rows, free_directions(self.linear, rows), strict=True):
-            held = free[row] & (order[row] >= many * (1 if self.whirling else 2))
-            if (self.modes.rounding[row] > LOST * np.abs(self.modes.pole[row]))[held].any():
+        for row, count in zip(rows, free_directions(self.linear, rows), strict=True):
+            constrained = free[row] & (order[row] >= count * (1 if self.whirling else 2))
+            if (self.modes.rounding[row] > LOST * np.abs(self.modes.pole[row]))[constrained].any():
                 raise InvalidInput(too_stiff(self.linear))
-            free[row] &= ~held
+            free[row] &= ~constrained
         return free
 
     @cached_property
     def free_count(self) -> Array:
-        """How many poles at zero (s,), both of a pair."""
+        """Number of poles at zero (s,), both of a pair."""
         return self._each(self._free.sum(axis=-1) * (2.0 if self.whirling else 1.0))
 
     @cached_property
     def growing(self) -> Flags:
-        """Motions that grow by themselves (s, k); those that swing have their own mass."""
+        """Unstable motions (s, k); vibrations only as far as their mass is the machine's."""
         pole, structure = self.modes.pole, self.linear.structure
-        own = math.inf if structure.rigid else structure.fine.own_mass
-        growing = grows(pole, self.modes.largest) & ~self._free & (np.abs(pole.imag) < own)
-        return self._each(self._shown(growing)) & ~np.isnan(self.pole)
+        limit = math.inf if structure.rigid else structure.fine.own_mass
+        growing = grows(pole, self.modes.largest) & ~self._free & (np.abs(pole.imag) < limit)
+        return self._each(self._of_returned(growing)) & ~np.isnan(self.pole)
 
-    def _shown(self, values: NDArray[S]) -> NDArray[S]:
-        """Values of all ``modes`` (s, 2n), of those that are given (s, k)."""
+    def _of_returned(self, values: NDArray[S]) -> NDArray[S]:
+        """Return values of all ``modes`` (s, 2n) for those that are returned (s, k)."""
         return values if self.whirling else np.take_along_axis(values, self._chosen[0], axis=-1)
 
     def receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:
-        """At ``omega`` > 0, (f,) or (s, f) of every speed's own, of paired rows (pairs, n):
-        (s, pairs, f). Under a force e^(iωt) that grows, Im ω < 0, poles are seen less sharply."""
+        """Return receptances of paired rows (pairs, n) at ``omega`` > 0, (f,) or (s, f) of every
+        speed: (s, pairs, f). A force e^(iωt) that grows, Im ω < 0, flattens resonances."""
         if self.solved_once and omega.ndim > 1:
             once = self.receptance(omega.ravel(), responses, excitations)[0]
             return np.swapaxes(once.reshape(len(responses), *omega.shape), 0, 1)
-        answer = (self.lossy or self.modes).receptance
+        evaluate = (self.lossy or self.modes).receptance
         if not self.whirling:
-            folded = self._folded(responses), self._folded(excitations)
-            return self._each(answer(omega, *folded))
+            folded = self._restricted(responses), self._restricted(excitations)
+            return self._each(evaluate(omega, *folded))
         both = np.concatenate([omega, -omega.conj()], axis=-1)
-        whole = self._in_planes(lambda r, e: answer(both, r, e), responses, excitations)
-        return self._each(whole)
+        total = self._in_planes(lambda r, e: evaluate(both, r, e), responses, excitations)
+        return self._each(total)
 
     def turning_receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:
-        """The same seen from a frame that turns with the shaft: whirl at ω there is whirl at
-        ω + Ω."""
+        """Return the same in a frame rotating with the shaft, where ω is whirl at ω + Ω."""
 
-        def answer(rows: Array, other: Array) -> Complex:
+        def evaluate(rows: Array, other: Array) -> Complex:
             parts = []
-            every = np.broadcast_to(omega, (len(self.linear.speed), omega.shape[-1]))
+            omegas = np.broadcast_to(omega, (len(self.linear.speed), omega.shape[-1]))
             for row, spin in enumerate(self.linear.speed):
-                both = np.concatenate([every[row] + spin, spin - every[row]])
-                one = self.modes.at(np.array([0 if self.solved_once else row]))
-                parts.append(one.receptance(both, rows, other))
+                both = np.concatenate([omegas[row] + spin, spin - omegas[row]])
+                at_speed = self.modes.at(np.array([0 if self.solved_once else row]))
+                parts.append(at_speed.receptance(both, rows, other))
             return np.concatenate(parts)
 
-        return self._in_planes(answer, responses, excitations)
+        return self._in_planes(evaluate, responses, excitations)
 
     def _in_planes(
-        self, answer: Callable[[Array, Array], Complex], responses: Array, excitations: Array
+        self, evaluate: Callable[[Array, Array], Complex], responses: Array, excitations: Array
     ) -> Complex:
-        """Of receptances of whirl at ω, then at −ω: each row acts in one plane."""
+        """Combine receptances of whirl at ω, then at −ω: each row acts in one plane."""
         half = self.linear.size // 2
         folded = [rows[:, :half] + rows[:, half:] for rows in (responses, excitations)]
-        place = [
+        plane = [
             np.abs(rows[:, half:]).any(axis=1).astype(int) for rows in (responses, excitations)
         ]
-        ahead, back = np.split(answer(*map(self._folded, folded)), 2, axis=-1)
-        back = back.conj()
-        turn = place[0] - place[1]
-        whole = ahead + back
-        whole *= 0.5
+        forward, backward = np.split(evaluate(*map(self._restricted, folded)), 2, axis=-1)
+        backward = backward.conj()
+        turn = plane[0] - plane[1]
+        total = forward + backward
+        total *= 0.5
         if (crossed := turn != 0).any():
-            across = -0.5j * turn[crossed, None] * (ahead - back)[:, crossed]
+            across = -0.5j * turn[crossed, None] * (forward - backward)[:, crossed]
             if not self._coupled.all():
                 across = np.where(self._coupled[:, None, None], across, 0.0)
-            whole[:, crossed] = across
-        return np.asarray(whole)
+            total[:, crossed] = across
+        return np.asarray(total)
 
     @cached_property
     def _coupled(self) -> Flags:
-        """Speeds (s or 1,) at which something couples the planes."""
+        """Speeds (s or 1,) at which the planes are coupled."""
         coupled = np.zeros(len(self.modes.pole), dtype=bool)
         if self.lossy is not None and self.lossy.loss.turns:
             coupled |= self.lossy.spin != 0.0
@@ -237,27 +236,27 @@ class FreeMotions:
         return residual(self.modes, self.modes.stiffness, self.modes.damping)
 
     def at(self, rows: Indices) -> FreeMotions:
-        """At some of the speeds."""
+        """Return the motions at the speeds ``rows``."""
         linear = self.linear.at(rows)
         if self.lossy is not None:
             return free_motions(linear, self.lossy.ceiling)
         return FreeMotions(linear, self.modes if self.solved_once else self.modes.at(rows))
 
     def answering(self, signs: Signs) -> FreeMotions:
-        """Motions of the linear system that answers those of some signs of loss."""
+        """Return the motions of the linear system for some signs of loss."""
         return self if self.lossy is None else replace(self, modes=self.lossy.answering(signs))
 
 
 def answering_stiffness(linear: Linear, signs: Signs) -> NDArray[np.inexact]:
-    """Stiffness (s, n, n) that answers motions of some signs of loss."""
+    """Return the stiffness (s, n, n) for motions of some signs of loss."""
     if linear.loss is None:
         return linear.stiffness
     return linear.stiffness + linear.loss.stiffness(signs)
 
 
 def free_motions(linear: Linear, ceiling: float = math.inf) -> FreeMotions:
-    """All free motions; with loss factors, each of |λ| below ``ceiling`` [rad/s] with those of its
-    own frequency. What is the same at all speeds is solved once."""
+    """Return all free motions; with loss factors, each of |λ| below ``ceiling`` [rad/s] with those
+    of its own frequency. What is the same at all speeds is solved once."""
     stiffness: Matrix = linear.allowed_stiffness
     damping: Matrix = linear.within(linear.damping)
     loss = linear.loss
@@ -280,7 +279,7 @@ def free_motions(linear: Linear, ceiling: float = math.inf) -> FreeMotions:
 
 
 def responding(linear: Linear) -> FreeMotions:
-    """The same without poles, for receptances at a few frequencies alone; without loss factors.
+    """Return motions without poles or loss factors, for receptances at a few frequencies alone.
 
     Coaxial rotors with orders take three times as long with poles, spindles on bearings hardly.
     """
@@ -288,7 +287,7 @@ def responding(linear: Linear) -> FreeMotions:
 
 
 def _circular(matrix: Matrix, half: int) -> Matrix:
-    """A − iB of [[A, B], [−B, A]] (s, n, n): acts on r = y + i z; real where nothing couples the
-    planes."""
-    along, across = matrix[:, :half, :half], matrix[:, :half, half:]
-    return np.asarray(along - 1j * across) if across.any() else along
+    """Return A − iB of [[A, B], [−B, A]] (s, n, n), acting on r = y + i z; real where the planes
+    are not coupled."""
+    direct, coupling = matrix[:, :half, :half], matrix[:, :half, half:]
+    return np.asarray(direct - 1j * coupling) if coupling.any() else direct

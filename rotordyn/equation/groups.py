@@ -1,6 +1,6 @@
-"""Connected components: what is joined, directly or by way of others.
+"""Connected components of a graph of few nodes.
 
-There are few: those of ``scipy.sparse`` would take longer to import than most runs take.
+Those of ``scipy.sparse`` would take longer to import than most runs take.
 """
 
 from __future__ import annotations
@@ -11,10 +11,10 @@ from rotordyn.arrays import Flags, Indices
 
 
 def first_joined(joined: Flags) -> Indices:
-    """First member of the connected component of each of n things (n,); ``joined`` (n, n): which
-    pairs are, given one way or both."""
+    """Return the first member of the connected component of each of n things (n,); ``joined``
+    (n, n): connected pairs, given one way or both."""
     reached = joined | joined.T | np.eye(len(joined), dtype=bool)
-    for _ in range(len(joined).bit_length()):  # each doubles the steps that are taken
+    for _ in range(len(joined).bit_length()):  # each doubles the length of paths
         reached = reached @ reached
     return reached.argmax(axis=1) if len(joined) else np.zeros(0, dtype=np.intp)
 

@@ -1,4 +1,4 @@
-"""What holds a shaft at rest: bearings, in series with their sleeves and housings, and supports.
+"""Connections that hold a shaft at rest: bearings on their sleeves and housings, and supports.
 
 Connections are the bearings, then the supports, in order; each has the six directions of its node.
 """
@@ -17,11 +17,11 @@ from rotordyn.equation.term import State
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 
-ZERO = 1e-9  # of the largest: below that a motion is not held
+ZERO = 1e-9  # of the largest: a motion with less is free
 
 
 def rigid_motion(x: Array, front: float) -> Array:
-    """Displacements (…, 6, 6) of stations ``x`` by those of the rigid shaft at ``front`` [m].
+    """Return displacements (…, 6, 6) of stations ``x`` by those of a rigid shaft at ``front`` [m].
 
     Its transpose gathers loads at ``x`` to their resultant about ``front``.
     """
@@ -34,13 +34,13 @@ def rigid_motion(x: Array, front: float) -> Array:
 
 
 def length_scale(spindle: Spindle) -> Array:
-    """What turns the six displacements of a node into lengths: the length of the shaft (6,)."""
+    """Return factors from the six displacements of a node to lengths: the shaft's length (6,)."""
     length = spindle.shaft.end - spindle.shaft.start
     return np.array([1.0, 1.0, 1.0, length, length, length])
 
 
 def rigidly_held(spindle: Spindle) -> Flags:
-    """Directions held without give (connections, 6); dampers hold none."""
+    """Return which directions are held rigidly (connections, 6); dampers hold none."""
     held = np.zeros((len(spindle.connections), 6), dtype=bool)
     for row, support in zip(held[len(spindle.seats) :], spindle.supports, strict=False):
         row[[position(direction) for direction in support.rigid]] = True
@@ -48,29 +48,29 @@ def rigidly_held(spindle: Spindle) -> Flags:
 
 
 def held_stiffness(structure: Structure, state: State) -> Array:
-    """Stiffness of everything but what is rigid (s, 6 × connections, 6 × connections).
+    """Return the stiffness of all that is not rigid (s, 6 × connections, 6 × connections).
 
-    Sleeves and housings follow their own stiffness; sleeves do not tilt.
+    Sleeves and housings are condensed, in series; sleeves do not tilt.
     """
     state = state._replace(standing=True)
     links, states = structure.connections, len(state.speed)
-    whole = np.zeros((states, len(links), 6, len(links), 6))
+    blocks = np.zeros((states, len(links), 6, len(links), 6))
     for k, link in enumerate(links):
-        whole[:, k, :, k] = link.matrices(state).stiffness
-    flat = whole.reshape(states, 6 * len(links), 6 * len(links))
-    others = [component for component in structure.components if component.spindle is None]
-    if not others:
+        blocks[:, k, :, k] = link.matrices(state).stiffness
+    flat = blocks.reshape(states, 6 * len(links), 6 * len(links))
+    bodies = [component for component in structure.components if component.spindle is None]
+    if not bodies:
         return flat
-    linear = assemble(structure, others, state)
-    moved = [link.motions @ linear.moved(link.dofs) for link in links]
-    rows = np.concatenate([np.zeros((0, linear.size)), *moved])
+    linear = assemble(structure, bodies, state)
+    motions = [link.motions @ linear.moved(link.dofs) for link in links]
+    rows = np.concatenate([np.zeros((0, linear.size)), *motions])
     return np.asarray(flat - flat @ rows @ np.linalg.solve(linear.stiffness, rows.T @ flat))
 
 
 def unheld_motions(spindle: Spindle) -> Array:
-    """Motions of the rigid shaft that nothing holds (6, k), orthonormal.
+    """Return the free motions of the rigid shaft (6, k), orthonormal.
 
-    They are those of the front end, in lengths (``length_scale``).
+    They are motions of the front end, in lengths (``length_scale``).
     """
     scale, front = length_scale(spindle), spindle.shaft.start
     rows = [np.zeros((6, 6))]
@@ -83,12 +83,12 @@ def unheld_motions(spindle: Spindle) -> Array:
         largest = np.abs(stiff).max()
         rows.append(motion[[position(direction) for direction in support.rigid]])
         rows.append(stiff / largest @ (scale[:, None] * motion) if largest > 0.0 else motion[:0])
-    _, size, ways = np.linalg.svd(np.concatenate(rows) / scale * scale[3])
-    return np.asarray(ways[size <= ZERO * size[0]].T)
+    _, size, directions = np.linalg.svd(np.concatenate(rows) / scale * scale[3])
+    return np.asarray(directions[size <= ZERO * size[0]].T)
 
 
 def _largest(support: LinearSupport) -> dict[tuple[str, str], float]:
-    """The stiffness of a support, of a table the largest values: what it holds at some speed."""
+    """Return the stiffness of a support, the largest of a table: what it holds at some speed."""
     return {
         pair: max(value, key=abs) if isinstance(value, tuple) else value
         for pair, value in support.stiffness.items()
@@ -96,7 +96,7 @@ def _largest(support: LinearSupport) -> dict[tuple[str, str], float]:
 
 
 def holds_twice(spindle: Spindle) -> bool:
-    """True where rigid supports hold the shaft, taken as a rigid body, more often than they can."""
+    """True if rigid supports are redundant for the shaft as a rigid body."""
     scale, front = length_scale(spindle), spindle.shaft.start
     rows = [np.zeros((0, 6))]
     for support in spindle.supports:
@@ -107,6 +107,6 @@ def holds_twice(spindle: Spindle) -> bool:
 
 
 def free_names(motions: Array) -> str:
-    """The directions that free motions move, as one names them."""
-    moved = np.abs(motions).max(axis=1, initial=0.0) > ZERO
-    return ", ".join(name for name, moves in zip(DIRECTIONS, moved, strict=True) if moves)
+    """Return the names of the directions in which free motions move."""
+    moving = np.abs(motions).max(axis=1, initial=0.0) > ZERO
+    return ", ".join(name for name, moves in zip(DIRECTIONS, moving, strict=True) if moves)

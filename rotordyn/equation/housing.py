@@ -17,7 +17,7 @@ from rotordyn.errors import InvalidInput
 from rotordyn.machine.housing import Housing, ReducedHousing, RigidHousing
 from rotordyn.machine.spindle import Spindle
 
-SYMMETRIC = 1e-6  # of the largest entry: a mass matrix that differs more from its transpose is none
+SYMMETRIC = 1e-6  # of the largest entry: largest difference of a mass matrix from its transpose
 
 
 class Foundation:
@@ -46,7 +46,7 @@ class Foundation:
         self.under = {name: motion * sign for name, motion in under.items()}
 
     def parts(self) -> Iterator[Part]:
-        """Mass, stiffness and damping."""
+        """Yield mass, stiffness and damping."""
         rows = self.dofs[None]
         for name in ("mass", "stiffness", "damping"):
             yield Part(name, rows, rows, getattr(self, name)[None])
@@ -55,20 +55,20 @@ class Foundation:
 def _of_rigid(
     housing: RigidHousing, stations: dict[str, float]
 ) -> tuple[Array, Array, Array, dict[str, Array]]:
-    places = [position(name) for name in housing.dofs]
+    indices = [position(name) for name in housing.dofs]
     polar, diametral = housing.polar_inertia, housing.diametral_inertia
-    every = np.array([*[housing.mass] * 3, polar, diametral, diametral])
-    square, under = np.ix_(places, places), {}
+    inertia = np.array([*[housing.mass] * 3, polar, diametral, diametral])
+    square, under = np.ix_(indices, indices), {}
     for name in housing.carries:
         motion, lever = np.eye(6), stations[name] - housing.x
         motion[position("y"), position("thz")] = lever
         motion[position("z"), position("thy")] = -lever
-        under[name] = motion[:, places]
+        under[name] = motion[:, indices]
     stiffness, damping = (
         node_matrix(housing.stiffness)[square],
         node_matrix(housing.damping)[square],
     )
-    return np.diag(every[places]), stiffness, damping, under
+    return np.diag(inertia[indices]), stiffness, damping, under
 
 
 def _of_reduced(housing: ReducedHousing) -> tuple[Array, Array, Array, dict[str, Array]]:

@@ -16,15 +16,15 @@ from rotordyn.equation.term import Part
 
 
 def joint_parts(shaft: Shaft) -> Iterator[Part]:
-    """Springs; dampers, which turn with their rotor."""
+    """Yield springs, and dampers, which rotate with their rotor."""
     for joint in shaft.spindle.joints:
-        at = shaft.mesh.node_of(joint.x)
-        for way, directions in WAYS.items():
-            stiffness, damping = getattr(joint, way), getattr(joint, f"{way}_damping")
+        node = shaft.mesh.node_of(joint.x)
+        for kind, directions in WAYS.items():
+            stiffness, damping = getattr(joint, kind), getattr(joint, f"{kind}_damping")
             if math.isinf(stiffness):
                 continue
             for name in directions:
-                rows = np.array([[shaft.jump[at, name]]])
+                rows = np.array([[shaft.jump[node, name]]])
                 yield Part("stiffness", rows, rows, _one(stiffness))
                 if damping:
                     yield Part("damping", rows, rows, _one(damping))

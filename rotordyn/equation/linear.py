@@ -2,7 +2,7 @@
 
     q̈ + C(Ω) q̇ + K(Ω) q = f
 
-C holds the gyroscopic effect, K what damping in turning parts, axial force and bearings add
+C holds the gyroscopic effect, K what damping in rotating parts, axial force and bearings add
 (``assemble``). Where supports are rigid, q = A p with the motions A that they allow
 (``constraint``). Subsystems are components that links or the gyroscopic effect join.
 
@@ -28,7 +28,7 @@ from rotordyn.equation.structure import Structure
 from rotordyn.equation.support import answers_alike
 from rotordyn.equation.term import LinkMatrices
 
-STRAINED = 1e-13  # of a link's largest motion: less is rounding
+STRAINED = 1e-13  # of a link's largest motion: a smaller one is rounding
 T = TypeVar("T", bound=Matrix)
 
 
@@ -38,9 +38,9 @@ class Linear:
 
     Coordinates are those of ``components``, in this order: plane y, plane z, all others.
     ``allowed`` A (n, m), orthonormal: the motions that rigid supports allow, in the same order, in
-    which few strain very stiff links; None where there are neither. ``bodies`` (s, n, n), beside
-    it: what of ``stiffness`` is not of links. ``isotropic``: both planes obey the same equations at
-    all speeds of the machine, so that forward and backward whirl are apart.
+    which few strain very stiff links; None where there are neither. ``bodies`` (s, n, n), with it:
+    the part of ``stiffness`` that is not of links. ``isotropic``: both planes obey the same
+    equations at all speeds of the machine, so that forward and backward whirl are uncoupled.
     """
 
     structure: Structure
@@ -56,79 +56,81 @@ class Linear:
 
     @cached_property
     def gyroscopic(self) -> Array:
-        """G (n, n): what of ``damping`` is per unit of the spindle's speed."""
-        whole = np.zeros((self.size, self.size))
+        """G (n, n): part of ``damping`` per unit of the spindle's speed."""
+        matrix = np.zeros((self.size, self.size))
         for y, z in planes_of(self):
             first, other = self.slices[y], self.slices[z]
             polar = self.structure.gyroscopic(self.components[y], self.components[z])
-            whole[first, other], whole[other, first] = polar, -polar.T
-        return whole
+            matrix[first, other], matrix[other, first] = polar, -polar.T
+        return matrix
 
     @cached_property
     def turning(self) -> Array:
-        """N (n, n): what of ``stiffness`` damping in turning parts adds per unit of speed."""
-        whole = np.zeros((self.size, self.size))
+        """N (n, n): part of ``stiffness`` by damping in rotating parts, per unit of speed."""
+        matrix = np.zeros((self.size, self.size))
         for y, z in planes_of(self):
-            first, other, own = self.slices[y], self.slices[z], self.components[y].turning
-            whole[first, other], whole[other, first] = own, -own.T
-        return whole
+            first, other, block = self.slices[y], self.slices[z], self.components[y].turning
+            matrix[first, other], matrix[other, first] = block, -block.T
+        return matrix
 
     def scaled(self, stiffness: Array, damping: Array) -> Linear:
-        """With factors (s,) on all stiffness and on all damping; the gyroscopic effect stays."""
-        stiff, damped, spin = (each[:, None, None] for each in (stiffness, damping, self.speed))
+        """Return it with factors (s,) on stiffness and damping, the gyroscopic excepted."""
+        stiff, damped, spin = (factor[:, None, None] for factor in (stiffness, damping, self.speed))
         turning, gyroscopic = spin * self.turning, spin * self.gyroscopic
 
-        def held(matrix: Array) -> Array:
+        def factored(matrix: Array) -> Array:
             return np.asarray(stiff * (matrix - turning) + damped * turning)
 
-        def link(each: Connection) -> Connection:
-            own = each.matrices
-            return each._replace(matrices=LinkMatrices(stiff * own.stiffness, damped * own.damping))
+        def link(c: Connection) -> Connection:
+            matrices = c.matrices
+            return c._replace(
+                matrices=LinkMatrices(stiff * matrices.stiffness, damped * matrices.damping)
+            )
 
         return replace(
             self,
-            stiffness=held(self.stiffness),
+            stiffness=factored(self.stiffness),
             damping=damped * (self.damping - gyroscopic) + gyroscopic,
-            connections=tuple(link(each) for each in self.connections),
-            bodies=None if self.bodies is None else held(self.bodies),
+            connections=tuple(link(c) for c in self.connections),
+            bodies=None if self.bodies is None else factored(self.bodies),
         )
 
     @property
     def size(self) -> int:
-        """Coordinates n."""
+        """Number of coordinates n."""
         return self.stiffness.shape[-1]
 
     def at(self, rows: Indices) -> Linear:
-        """At some of the speeds."""
+        """Return the subsystem at the speeds ``rows``."""
         return replace(
             self,
             speed=self.speed[rows],
             stiffness=self.stiffness[rows],
             damping=self.damping[rows],
-            connections=tuple(each.at(rows) for each in self.connections),
+            connections=tuple(c.at(rows) for c in self.connections),
             loss=None if self.loss is None else self.loss.at(rows),
             bodies=None if self.bodies is None else self.bodies[rows],
         )
 
     def within(self, matrix: T) -> T:
-        """Of a matrix (…, n, n) what acts in the motions that rigid supports allow (…, m, m)."""
+        """Return a matrix (…, n, n) in the motions that rigid supports allow (…, m, m)."""
         if self.allowed is None:
             return matrix
-        held: Any = self.allowed.T @ (matrix @ self.allowed)  # of the type of ``matrix``
-        return held
+        projected: Any = self.allowed.T @ (matrix @ self.allowed)  # of the type of ``matrix``
+        return projected
 
     @cached_property
     def allowed_stiffness(self) -> Array:
-        """``stiffness`` within the motions that rigid supports allow (s, m, m), summed link by link
+        """Stiffness within the motions that rigid supports allow (s, m, m), summed link by link
         there: motions that do not strain a link get none of it, however stiff it is."""
         if self.allowed is None or self.bodies is None:
             return self.stiffness
-        whole = self.within(self.bodies)
-        for each in self.connections:
-            motions, size = each.motions @ self.allowed, np.linalg.norm(each.motions, axis=1)
+        total = self.within(self.bodies)
+        for c in self.connections:
+            motions, size = c.motions @ self.allowed, np.linalg.norm(c.motions, axis=1)
             motions[np.abs(motions) <= STRAINED * size[:, None]] = 0.0
-            whole = whole + motions.T @ (each.matrices.stiffness @ motions)
-        return whole
+            total = total + motions.T @ (c.matrices.stiffness @ motions)
+        return total
 
     @property
     def basis(self) -> Array:
@@ -143,12 +145,12 @@ class Linear:
 
     @property
     def kinds(self) -> frozenset[str]:
-        """Those of "bending", "axial" and "torsion" that take part."""
+        """Kinds of motion that take part: "bending", "axial", "torsion"."""
         names = {line.kind for component in self.components for line in component.lines}
         return frozenset(names - {""})
 
     def energy_of(self, kind: str) -> Flags:
-        """Coordinates (n,) of shafts that are of a kind of motion."""
+        """Return which coordinates (n,) of shafts belong to a kind of motion."""
         chosen = np.zeros(self.size, dtype=bool)
         for component, part in zip(self.components, self.slices, strict=True):
             chosen[part] = component.spindle is not None and component.lines[0].kind == kind
@@ -165,66 +167,66 @@ class Linear:
     def motion(self) -> Array:
         """Displacements of the shown nodes by the coordinates (nodes, 6, n)."""
         structure = self.structure
-        whole = np.zeros((len(structure.shown.stations), 6, self.size))
+        motion = np.zeros((len(structure.shown.stations), 6, self.size))
         for component, at in zip(self.components, self.slices, strict=True):
             for line in component.lines:
                 if line.body in structure.shafts:
                     nodes = structure.shown.spans[line.body]
-                    whole[nodes, :, at] += structure.motion(line, component)
-        return whole
+                    motion[nodes, :, at] += structure.motion(line, component)
+        return motion
 
     @cached_property
     def planes(self) -> tuple[Indices, Indices]:
         """Coordinates of plane y and, in the same order, of plane z, where bodies have both."""
         pairs = [(self.slices[a], self.slices[b]) for a, b in planes_of(self)]
-        every, none = np.arange(self.size), np.zeros(0, dtype=np.intp)
+        coordinates, empty = np.arange(self.size), np.zeros(0, dtype=np.intp)
         return (
-            np.concatenate([none, *(every[y] for y, _ in pairs)]),
-            np.concatenate([none, *(every[z] for _, z in pairs)]),
+            np.concatenate([empty, *(coordinates[y] for y, _ in pairs)]),
+            np.concatenate([empty, *(coordinates[z] for _, z in pairs)]),
         )
 
     def row(self, rotor: str, x: float, direction: str) -> Array:
-        """Displacement of the node at station ``x`` [m] of a rotor in one direction (n,)."""
+        """Return the displacement of a rotor's node at ``x`` [m] in one direction (n,)."""
         number = self.structure.node(rotor, x)[position(direction)]
         return self.displaced(np.array([number]))[0]
 
     def displaced(self, dofs: Indices) -> Array:
-        """Displacements of DOF in their directions by the coordinates (DOF, n); zero of those of
-        other subsystems."""
+        """Return displacements of DOF in their directions by the coordinates (DOF, n); zero of
+        those of other subsystems."""
         return np.asarray(self.structure.dofs.sign[dofs, None] * self.moved(dofs))
 
     def moved(self, dofs: Indices) -> Array:
-        """The same of DOF as they are signed."""
+        """Return displacements of the signed DOF by the coordinates (DOF, n)."""
         rows = np.zeros((len(dofs), self.size))
         for component, part in zip(self.components, self.slices, strict=True):
-            mine = component.has(dofs)
-            rows[mine, part] = component.vectors[component.local(dofs[mine])]
+            included = component.has(dofs)
+            rows[included, part] = component.vectors[component.local(dofs[included])]
         return rows
 
     def rigid_force(self, unbalanced: Complex) -> dict[str, Complex]:
-        """Forces of rigid supports on what they hold (s, 6), by name, where others leave
-        ``unbalanced`` (s, n) to them; of motions without give only.
+        """Return the forces of rigid supports on what they hold (s, 6), by name, where others leave
+        ``unbalanced`` (s, n) to them; along rigid motions only.
 
         NaN where supports that hold the same motion share it: their shares are not determined.
         """
-        held = [each for each in self.connections if each.link.rigid]
-        if not held:
+        connections = [c for c in self.connections if c.link.rigid]
+        if not connections:
             return {}
-        rows = np.concatenate([each.motions[each.rigid > 0.0] for each in held])
+        rows = np.concatenate([c.motions[c.rigid > 0.0] for c in connections])
         acting = np.flatnonzero(rows.any(axis=1))
         force = np.zeros((len(unbalanced), len(rows)), dtype=complex)
-        answer, _, rank, _ = np.linalg.lstsq(rows[acting].T, -unbalanced.T, rcond=DEPENDENT)
-        force[:, acting] = answer.T if rank == len(acting) else complex(np.nan, np.nan)
-        forces, begin = {}, 0
-        for each in held:
-            reaction = np.zeros((len(unbalanced), len(each.motions)), dtype=complex)
-            reaction[:, each.rigid > 0.0] = force[:, begin : begin + len(each.link.rigid)]
-            forces[each.link.name], begin = reaction, begin + len(each.link.rigid)
+        solution, _, rank, _ = np.linalg.lstsq(rows[acting].T, -unbalanced.T, rcond=DEPENDENT)
+        force[:, acting] = solution.T if rank == len(acting) else complex(np.nan, np.nan)
+        forces, start = {}, 0
+        for c in connections:
+            reaction = np.zeros((len(unbalanced), len(c.motions)), dtype=complex)
+            reaction[:, c.rigid > 0.0] = force[:, start : start + len(c.link.rigid)]
+            forces[c.link.name], start = reaction, start + len(c.link.rigid)
         return forces
 
 
 def planes_alike(linear: Linear) -> bool:
-    """Both planes obey the same equations at every speed."""
+    """True if both planes obey the same equations at every speed."""
     firsts = [c for c in linear.components if c.way == "y"]
     seconds = [c for c in linear.components if c.way == "z"]
     if len(firsts) + len(seconds) != len(linear.components):
@@ -240,14 +242,14 @@ def planes_alike(linear: Linear) -> bool:
         return False
     return all(
         answers_alike(part)
-        for each in linear.connections
-        for part in (*each.matrices, np.diag(each.rigid))
+        for connection in linear.connections
+        for part in (*connection.matrices, np.diag(connection.rigid))
         if part.shape[-1] == len(DIRECTIONS)
     )
 
 
 def planes_of(linear: Linear) -> list[tuple[int, int]]:
-    """Places of plane y and plane z of every shaft among the components."""
+    """Return the indices of plane y and plane z of every shaft among the components."""
     places = {(c.lines[0].body, c.way): k for k, c in enumerate(linear.components) if c.spindle}
     return [
         (k, places[body, "z"])

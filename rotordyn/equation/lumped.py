@@ -15,7 +15,7 @@ from rotordyn.equation.term import Part
 
 
 def lumped_parts(shaft: Shaft) -> Iterator[Part]:
-    """Mass, inertia and gyroscopic effect of what sits on a shaft; at a joint in front of it."""
+    """Yield mass, inertia and gyroscopic effect of bodies on a shaft; at a joint in front of it."""
     bodies = shaft.spindle.lumped
     if not bodies:
         return
@@ -23,17 +23,17 @@ def lumped_parts(shaft: Shaft) -> Iterator[Part]:
     mass = np.array([body.mass for body in bodies])
     polar = np.array([body.polar_inertia for body in bodies])
     diametral = np.array([body.diametral_inertia for body in bodies])
-    none = np.zeros_like(mass)
-    for way, inertia in (("x", mass), ("thx", polar)):
-        rows = nodes[:, [position(way)]]
+    zero = np.zeros_like(mass)
+    for direction, inertia in (("x", mass), ("thx", polar)):
+        rows = nodes[:, [position(direction)]]
         yield Part("mass", rows, rows, inertia[:, None, None])
     planes = {w: nodes[:, [position(name) for name in names]] for w, (names, _) in PLANES.items()}
     for rows in planes.values():
         yield Part("mass", rows, rows, _diagonal(mass, diametral))
-        yield Part("softening", rows, rows, _diagonal(mass, none))
-    yield Part("gyroscopic", planes["y"], planes["z"], shaft.ratio * _diagonal(none, polar))
+        yield Part("softening", rows, rows, _diagonal(mass, zero))
+    yield Part("gyroscopic", planes["y"], planes["z"], shaft.ratio * _diagonal(zero, polar))
 
 
 def _diagonal(first: np.ndarray, second: np.ndarray) -> np.ndarray:
-    """(bodies, 2, 2)"""
+    """Return diagonal blocks (bodies, 2, 2)."""
     return np.stack([first, second], axis=1)[:, :, None] * np.eye(2)

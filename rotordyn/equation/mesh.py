@@ -1,4 +1,4 @@
-"""Where the nodes of a rotor are, and what the shaft is between them."""
+"""Nodes of a rotor, and geometry and material of the shaft between them."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import SPINDLE
 
-COINCIDENT = 1.5e-7  # of the shaft's length: stations closer than that are one node
-ELEMENTS_OVER_LENGTH = 50
+COINCIDENT = 1.5e-7  # of the shaft's length: closer stations are one node
+ELEMENTS_OVER_LENGTH = 50  # of a shaft, by default
 MOST_NODES = 100_000
 SOLID = ("young_modulus", "poisson_ratio", "density")
 
@@ -29,9 +29,9 @@ class Mesh:
     """Nodes ``x`` (nodes,) [m], ascending; all else per element, shape (nodes − 1,), SI.
 
     Diameters ``outer`` and ``inner`` (2, nodes − 1) are those at the front end of an element, and
-    at its rear end: of a cone others.
-    ``station`` (nodes,): which nodes are more than places between elements that are alike.
-    ``further``: meshes of further rotors by name, whose nodes are numbered behind these.
+    at its rear end, which differ for a cone. ``station`` (nodes,): which nodes are more than
+    divisions between identical elements. ``further``: meshes of further rotors by name, whose nodes
+    are numbered behind these.
     """
 
     x: Array
@@ -50,12 +50,12 @@ class Mesh:
 
     @property
     def of_rotors(self) -> dict[str, Mesh]:
-        """The mesh of every rotor by itself, in the order of their nodes."""
+        """Mesh of every rotor by itself, in the order of their nodes."""
         return {SPINDLE: self, **self.further}
 
     @property
     def spans(self) -> dict[str, slice]:
-        """The nodes of every rotor among those of all."""
+        """Nodes of every rotor among those of all."""
         ends = [0, *accumulate(mesh.nodes for mesh in self.of_rotors.values())]
         return {
             name: slice(*ends_of)
@@ -64,17 +64,17 @@ class Mesh:
 
     @property
     def stations(self) -> Array:
-        """Where the nodes of all rotors are [m]."""
+        """Positions of the nodes of all rotors [m]."""
         return np.concatenate([mesh.x for mesh in self.of_rotors.values()])
 
     @property
     def rotor(self) -> tuple[str, ...]:
-        """The rotor of each of these nodes."""
+        """Rotor of each of these nodes."""
         return tuple(name for name, mesh in self.of_rotors.items() for _ in mesh.x)
 
     @property
     def between_stations(self) -> Mesh:
-        """The same rotor in elements from station to station."""
+        """Mesh of the same rotor with elements from station to station."""
         front = np.flatnonzero(self.station[:-1])
         rear = np.append(front[1:], self.nodes - 1) - 1
         outer, inner = (np.stack([d[0, front], d[1, rear]]) for d in (self.outer, self.inner))
@@ -94,13 +94,13 @@ class Mesh:
 
     @property
     def steepness(self) -> Array:
-        """Ratio of the outer diameters, or of the walls if that is more, at the ends of each
+        """Ratio of the outer diameters, or of the walls if that is larger, at the ends of each
         element, the larger over the smaller."""
         outer, wall = self.outer, self.outer - self.inner
         return np.asarray(np.maximum(*(d.max(axis=0) / d.min(axis=0) for d in (outer, wall))))
 
     def diameters(self, xi: Array) -> tuple[Array, Array]:
-        """Outer and inner diameter (elements, places) at ``xi`` on [−1, 1]; along a cone linear."""
+        """Return outer and inner diameter (elements, places) at ``xi`` on [−1, 1], linear."""
         share = (1.0 + xi) / 2.0
         outer, inner = (a[:, None] + np.outer(b - a, share) for a, b in (self.outer, self.inner))
         return outer, inner
@@ -112,8 +112,8 @@ class Mesh:
 
     @property
     def weight_line(self) -> Array:
-        """Mass per length of each element at both of its ends (elements, 2) [kg/m], straight in
-        between, with the mass and the centre of gravity that the element has."""
+        """Mass per length of each element at both of its ends (elements, 2) [kg/m], linear in
+        between, with the mass and the centre of gravity of the element."""
         mean = self.density * mean_area(self.outer, self.inner)
         rise = 12.0 * self.density * area_moments(self.outer, self.inner)[0]
         return np.stack([mean - rise / 2.0, mean + rise / 2.0], axis=1)
@@ -130,7 +130,7 @@ class Mesh:
         return self.young_modulus / (2.0 * (1.0 + self.poisson_ratio))
 
     def node_of(self, x: float) -> int:
-        """The node at station ``x`` [m].
+        """Return the node at station ``x`` [m].
 
         Raises
         ------
@@ -143,23 +143,24 @@ class Mesh:
         return node
 
     def node_at(self, rotor: str, x: float) -> int:
-        """The node of a rotor at station ``x`` [m], among those of all; errors as above."""
+        """Return the node of a rotor at ``x`` [m] among those of all; raises as ``node_of``."""
         return self.spans[rotor].start + self.of_rotors[rotor].node_of(x)
 
     def within(self, rotor: str, nodes: Iterable[int]) -> tuple[int, ...]:
-        """Those of ``nodes`` that are a rotor's, as its own mesh counts them."""
+        """Return those of ``nodes`` that belong to a rotor, numbered as in its own mesh."""
         span = self.spans[rotor]
         return tuple(n - span.start for n in nodes if span.start <= n < span.stop)
 
 
 def build_mesh(spindle: Spindle, element_length: float | None = None) -> Mesh:
-    """Nodes at every station, and between them so that no element exceeds ``element_length``.
+    """Return a mesh with nodes at every station, and such that no element exceeds
+    ``element_length``.
 
-    Stations are section boundaries, seats, supports, points, masses, discs, joints and those of
-    the drawbar; those of a further rotor lie on it. ``element_length`` None is 1/50 of a shaft:
-    then the nodes are places at which motion is seen and axial force changes, between which
-    elements are as fine as an accuracy asks (``hierarchic_rotor``). Where a length is given,
-    standard elements lie between them.
+    Stations are section boundaries, seats, supports, points, masses, discs, joints and those of the
+    drawbar; those of a further rotor lie on it. ``element_length`` None is 1/50 of a shaft: then
+    the nodes are places at which motion is shown and axial force changes, between which elements
+    are as fine as an accuracy requires (``Fineness``). Where a length is given, standard elements
+    lie between them.
 
     Raises
     ------
@@ -171,7 +172,7 @@ def build_mesh(spindle: Spindle, element_length: float | None = None) -> Mesh:
 
 
 def station_mesh(spindle: Spindle) -> Mesh:
-    """Nodes at stations only."""
+    """Return a mesh with nodes at stations only."""
     return _mesh(spindle, 2.0 * (spindle.shaft.end - spindle.shaft.start))
 
 
@@ -185,22 +186,22 @@ def _mesh(spindle: Spindle, longest: float) -> Mesh:
             "sections that are alike, or ask for longer elements"
         )
     x = _merged(shaft, placed)
-    place = np.searchsorted(shaft.boundaries[1:-1], (x[1:] + x[:-1]) / 2.0, side="right")
-    left, length = np.array(shaft.boundaries)[place], np.array([s.length for s in shaft.sections])
-    share = np.clip((np.stack([x[:-1], x[1:]]) - left) / length[place], 0.0, 1.0)
-    every = np.array([(*s.outer, *s.inner, *_solid(s)) for s in shaft.sections])[place].T
-    ends = _along(every[:2], share), _along(every[2:4], share)
+    section = np.searchsorted(shaft.boundaries[1:-1], (x[1:] + x[:-1]) / 2.0, side="right")
+    left, length = np.array(shaft.boundaries)[section], np.array([s.length for s in shaft.sections])
+    share = np.clip((np.stack([x[:-1], x[1:]]) - left) / length[section], 0.0, 1.0)
+    properties = np.array([(*s.outer, *s.inner, *_solid(s)) for s in shaft.sections])[section].T
+    ends = _along(properties[:2], share), _along(properties[2:4], share)
     parts = np.maximum(1, np.ceil(np.diff(x) / longest * (1.0 - COINCIDENT))).astype(np.intp)
-    return divided(Mesh(x, np.ones(len(x), dtype=bool), *ends, *every[4:]), parts)
+    return divided(Mesh(x, np.ones(len(x), dtype=bool), *ends, *properties[4:]), parts)
 
 
 def _solid(section: Section) -> tuple[float, float, float]:
-    """E, ν and density."""
+    """Return E, ν and density."""
     return section.material.young_modulus, section.material.poisson_ratio, section.density
 
 
 def _along(ends: Array, share: Array) -> Array:
-    """Diameters between those at ``ends`` (2, elements) of sections, by the share of the way."""
+    """Interpolate diameters between those at ``ends`` (2, elements) of sections."""
     return np.asarray(ends[0] + share * (ends[1] - ends[0]))
 
 
@@ -213,7 +214,7 @@ def _longest(shaft: Shaft, element_length: float | None) -> float:
 
 
 def _placed(spindle: Spindle) -> Iterator[tuple[str, float]]:
-    """What sits on the shaft, by a name to complain with."""
+    """Yield what sits on the shaft, with a name for messages."""
     for kind in ("seats", "supports", "dampers", "masses", "discs", "joints"):
         for number, item in enumerate(getattr(spindle, kind), start=1):
             yield f"{kind} {number} ({item.name})", item.x
@@ -224,7 +225,7 @@ def _placed(spindle: Spindle) -> Iterator[tuple[str, float]]:
 
 
 def _merged(shaft: Shaft, placed: Sequence[tuple[str, float]]) -> Array:
-    """All stations in order, those that coincide only once; section boundaries have precedence."""
+    """Return all stations in order, coincident ones once; section boundaries have precedence."""
     edges = shaft.boundaries
     start, end = edges[0], edges[-1]
     tolerance = COINCIDENT * (end - start)
@@ -232,10 +233,10 @@ def _merged(shaft: Shaft, placed: Sequence[tuple[str, float]]) -> Array:
         if not start - tolerance <= x <= end + tolerance:
             raise InvalidInput(f"{name} at x = {x:g} m is off the shaft ({start:g} to {end:g} m)")
     kept = list(edges)
-    more = sorted(x for _, x in placed)
+    further = sorted(x for _, x in placed)
     if (np.diff(edges) <= tolerance).any():
-        kept, more = [start, end], [*edges, *more]
-    for x in more:
+        kept, further = [start, end], [*edges, *further]
+    for x in further:
         place = bisect_left(kept, x)
         if all(abs(x - other) > tolerance for other in kept[max(place - 1, 0) : place + 1]):
             kept.insert(place, x)
@@ -243,7 +244,7 @@ def _merged(shaft: Shaft, placed: Sequence[tuple[str, float]]) -> Array:
 
 
 def divided(mesh: Mesh, parts: Indices) -> Mesh:
-    """Every element of ``mesh`` cut into equal ``parts`` (elements,)."""
+    """Return ``mesh`` with every element cut into equal ``parts`` (elements,)."""
     number = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
     inside = number * np.repeat(mesh.length / parts, parts) + np.repeat(mesh.x[:-1], parts)
     x = np.append(inside, mesh.x[-1])

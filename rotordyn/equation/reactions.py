@@ -1,13 +1,13 @@
-"""What bearings and supports answer to static loads, by the force method.
+"""Reactions of bearings and supports to static loads, by the force method.
 
-Unknown are the reactions r and the motion q of the shaft's front end. With F the flexibility of
-the shaft held at its front end, u0 what the loads do to it then, B its rigid motion and K the
+Unknown are the reactions r and the motion q of the shaft's front end. With F the flexibility of the
+shaft held at its front end, u0 its displacements by the loads then, B its rigid motion and K the
 stiffness of the supports, displacements at these are u = u0 + F r + B q, and
 
     r + K u = 0 (elastic),   u = 0 (rigid),   Bᵀ r = −(resultant of the loads).
 
 Reactions that equilibrium alone determines thus come from the last line, whatever F and K are; a
-direction that nothing holds has its motion at the front end set to zero.
+free direction has its motion at the front end set to zero.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ import numpy as np
 from rotordyn.arrays import Array, Flags
 from rotordyn.errors import InvalidInput
 
-WORST_CONDITION = 1e13
+WORST_CONDITION = 1e13  # number above which reactions are lost in rounding
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -27,8 +27,7 @@ class Held:
     """A shaft on its connections, n = 6 × connections.
 
     ``stiffness`` (states, n, n), ``rigid`` (n,), ``motion`` B (n, 6), ``flexibility`` F (n, n),
-    ``free`` (6, k): motions that nothing holds, in lengths; ``scale`` (6,): turns displacements
-    into lengths.
+    ``free`` (6, k): free motions, in lengths; ``scale`` (6,): from displacements to lengths.
     """
 
     stiffness: Array
@@ -40,7 +39,7 @@ class Held:
 
 
 def reactions(held: Held, loose: Array, resultant: Array) -> tuple[Array, Array]:
-    """Loads of the connections on the shaft (states, n) and motion of its front end (states, 6).
+    """Return loads of connections on the shaft (states, n) and motion of its front end (states, 6).
 
     ``loose`` (states, n): displacements by the loads with the front end held; ``resultant``
     (states, 6): of the loads, about the front end; free motions take no part in it.
@@ -54,24 +53,24 @@ def reactions(held: Held, loose: Array, resultant: Array) -> tuple[Array, Array]
     flexibility = to_length[:, None] * held.flexibility * to_length
     motion = to_length[:, None] * held.motion / held.scale
     stiffness = held.stiffness / to_length[:, None] / to_length
-    give = _largest(flexibility) or 1.0 / (_largest(stiffness) or 1.0)
+    compliance = _largest(flexibility) or 1.0 / (_largest(stiffness) or 1.0)
     elastic = ~held.rigid
     matrix = np.zeros((states, n + 6 + free, n + 6 + free))
-    answer = np.where(held.rigid[:, None], np.eye(n) / give, stiffness)
-    matrix[:, :n, :n] = np.diag(elastic.astype(float)) + answer @ flexibility
-    matrix[:, :n, n : n + 6] = answer @ motion * give
+    resistance = np.where(held.rigid[:, None], np.eye(n) / compliance, stiffness)
+    matrix[:, :n, :n] = np.diag(elastic.astype(float)) + resistance @ flexibility
+    matrix[:, :n, n : n + 6] = resistance @ motion * compliance
     matrix[:, n : n + 6, :n] = motion.T
     matrix[:, n : n + 6, n + 6 :] = held.free
     matrix[:, n + 6 :, n : n + 6] = held.free.T
     right = np.zeros((states, n + 6 + free, 1))
-    right[:, :n] = -answer @ (to_length * loose)[..., None]
+    right[:, :n] = -resistance @ (to_length * loose)[..., None]
     right[:, n : n + 6, 0] = -resultant / held.scale
     solution = _solved(matrix, right)[..., 0]
-    return solution[:, :n] * to_length, solution[:, n : n + 6] * give / held.scale
+    return solution[:, :n] * to_length, solution[:, n : n + 6] * compliance / held.scale
 
 
 def _solved(matrix: Array, right: Array) -> Array:
-    """Solution with rows of equal size, refined once."""
+    """Return the solution with rows of equal size, refined once."""
     size = np.abs(matrix).max(axis=2, keepdims=True)
     matrix, right = matrix / size, right / size
     if (np.linalg.cond(matrix) > WORST_CONDITION).any():

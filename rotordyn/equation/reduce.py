@@ -1,4 +1,4 @@
-"""One uncoupled motion of a free body in a few vectors: its lowest modes, static modes at ports.
+"""Reduction of one uncoupled motion of a free body to its lowest modes and static modes at ports.
 
 The problem K φ = λ M φ has rigid motions R, K R = 0. Held at as many DOF as it has rigid motions
 the body is statically determinate and K is positive definite on the others. There elastic modes
@@ -25,24 +25,24 @@ from rotordyn.errors import InvalidInput
 from rotordyn.numerics.sparse import LARGE, Matrix
 from rotordyn.numerics.threads import linear_algebra_alone
 
-LEAST_MODES = 8
+LEAST_MODES = 8  # kept whatever the cutoff, rigid ones included
 MOST_DENSE = 6000  # DOF; four matrices of that size are 1.2 GB
 MOST_ENTRIES = 200_000_000  # of all vectors of a large body, 1.6 GB
-ROUNDING = 1e-15  # of a diagonal entry: a pivot that small is zero
+ROUNDING = 1e-15  # of a diagonal entry: a smaller pivot is zero
 NEW = 1e-10  # of the flexibility at the ports: vectors that add less (1e-5 squared) are dependent
-NOTHING = 1e-16  # of the flexibility at a port: modes that lack so little lack rounding
-RIGIDLY = 1e-13  # of a load: with less beside inertia it moves the body rigidly
+NOTHING = 1e-16  # of the flexibility at a port: a smaller part not in the modes is rounding
+RIGIDLY = 1e-13  # of a load: one with a smaller self-equilibrated part moves the body rigidly
 TINY = 1e-200  # [s²], keeps a load of zeros from division by zero
-STIFF = 1e-8  # of the largest 1/λ: modes above the cutoff are told from rounding down to here
-FEW = 32  # rows of a triangular matrix that is inverted as any other
-ASIDE = 1.2345e-7  # relative, from round values of the cutoff, at which a pivot may vanish
-RESOLVED = 1e-14  # of the largest 1/λ: stiffer modes are rounding, and matter to nobody
-NEAR = 1e-5  # relative: an eigenvalue so near the cutoff may be counted on either side of it
+STIFF = 1e-8  # of the largest 1/λ: down to here modes above the cutoff are no rounding
+FEW = 32  # rows of a triangular matrix that is inverted directly
+ASIDE = 1.2345e-7  # relative shift off round values of the cutoff, at which a pivot may vanish
+RESOLVED = 1e-14  # of the largest 1/λ: stiffer modes are rounding, and negligible
+NEAR = 1e-5  # relative: an eigenvalue this close to the cutoff may count on either side of it
 
 
 @contextmanager
 def _solvable() -> Iterator[None]:
-    """Linear algebra on one thread; a body whose matrices are not definite is refused."""
+    """Run linear algebra on one thread; refuse a body whose matrices are not definite."""
     try:
         with linear_algebra_alone():  # that of scipy may have been loaded just now
             yield
@@ -69,8 +69,8 @@ class Basis:
 
 
 class Coupling(NamedTuple):
-    """Forces that ``matrix`` (n, n), such as the gyroscopic one, makes of rigid motions, of modes
-    up to ``band`` [rad/s] and, of axial force, of ``statics``: displacements by loads at ports."""
+    """Forces by a ``matrix`` (n, n), such as the gyroscopic one, in rigid motions, modes up to
+    ``band`` [rad/s] and, of axial force, in ``statics``: displacements by loads at ports."""
 
     matrix: Matrix
     band: float
@@ -86,7 +86,7 @@ def reduce(
     cutoff: float,
     couplings: Sequence[Coupling] = (),
 ) -> Basis:
-    """Modes of a free body up to ω = ``cutoff`` [rad/s] and static modes for loads ``ports``.
+    """Return modes of a free body up to ω = ``cutoff`` [rad/s] and static modes for ``ports``.
 
     Parameters
     ----------
@@ -105,14 +105,14 @@ def reduce(
     ------
     InvalidInput : M or K is not definite, or the vectors asked for do not fit into memory
     """
-    size, still = rigid.shape
-    least, below, large = max(LEAST_MODES - still, 0), 0, False
+    size, rigid_count = rigid.shape
+    least, below, large = max(LEAST_MODES - rigid_count, 0), 0, False
     if size >= LARGE:
         from scipy.sparse import csr_array
 
         mass, stiffness = csr_array(mass), csr_array(stiffness)
         shifted = _factors(stiffness - (1.0 - ASIDE) * cutoff**2 * mass)
-        below = int((shifted.U.diagonal() < 0.0).sum()) - still  # Sylvester's law of inertia
+        below = int((shifted.U.diagonal() < 0.0).sum()) - rigid_count  # Sylvester's law of inertia
         large = size > MOST_DENSE or 8 * max(below, least) < size
     if large and (3 * below + 4 * ports.shape[1]) * size > MOST_ENTRIES:
         raise InvalidInput(
@@ -123,22 +123,28 @@ def reduce(
     if not large:
         mass, stiffness = (m.toarray() if hasattr(m, "toarray") else m for m in (mass, stiffness))
     body = _Body.held(mass, stiffness, rigid)
-    rest = np.zeros((size, 0)), np.zeros(0)
+    truncated = np.zeros((size, 0)), np.zeros(0)
     if large:
         values, elastic = _by_lanczos(body, below, least, cutoff)
     else:
-        values, elastic, rest = _by_lapack(body, least, cutoff)
-    moved = body.displaced(ports) if any(each.statics for each in couplings) else ports
-    for each in couplings:
-        swung = [body.rigid, elastic[:, values <= each.band**2], *([moved] if each.statics else [])]
-        ports = np.hstack([ports, each.matrix @ np.hstack(swung)])
+        values, elastic, truncated = _by_lapack(body, least, cutoff)
+    displaced = body.displaced(ports) if any(coupling.statics for coupling in couplings) else ports
+    for coupling in couplings:
+        motions = [
+            body.rigid,
+            elastic[:, values <= coupling.band**2],
+            *([displaced] if coupling.statics else []),
+        ]
+        ports = np.hstack([ports, coupling.matrix @ np.hstack(motions)])
     static_values, static = _static_modes(body, values, elastic, ports)
-    every = np.concatenate([np.zeros(still), values, static_values])
-    vectors, order = np.hstack([body.rigid, elastic, static]), np.argsort(every, kind="stable")
-    roots, made = np.diag(np.sqrt(every)), slice(still + len(values), None)
-    roots[made, made] = _roots(body, static, static_values, rest)
+    all_values = np.concatenate([np.zeros(rigid_count), values, static_values])
+    vectors, order = np.hstack([body.rigid, elastic, static]), np.argsort(all_values, kind="stable")
+    roots, block = np.diag(np.sqrt(all_values)), slice(rigid_count + len(values), None)
+    roots[block, block] = _roots(body, static, static_values, truncated)
     swapped = np.ix_(order, order)
-    return Basis(vectors[:, order], every[order], order < still + len(values), roots[swapped])
+    return Basis(
+        vectors[:, order], all_values[order], order < rigid_count + len(values), roots[swapped]
+    )
 
 
 @_solvable()
@@ -149,74 +155,74 @@ def enriched(
     known: Array,
     couplings: Sequence[Coupling] = (),
 ) -> Basis:
-    """A large body in the span of vectors ``known`` (n, k) of a coarser model, without rigid
+    """Return a large body in the span of vectors ``known`` (n, k) of a coarser model, without rigid
     motions, and of one step of inverse iteration from each.
 
-    The step answers what a vector φ lacks, M φ − K φ/λ with its Rayleigh quotient λ. So where the
-    coarser model errs by δ, this one errs by δ². A study takes 1.1 times as long by ``reduce``.
+    The step represents what a vector φ lacks, M φ − K φ/λ with its Rayleigh quotient λ. So where
+    the coarser model errs by δ, this one errs by δ². A study takes 1.1 times as long by ``reduce``.
     """
     body = _Body.held(mass, stiffness, rigid)
-    known = known - body.rigid @ (body.pushed.T @ known)
-    pushed, pulled = mass @ known, stiffness @ known
-    values = (known * pulled).sum(axis=0) / (known * pushed).sum(axis=0)
-    lacking = [pushed - pulled / values]
-    for each in couplings:
-        swung = np.hstack([body.rigid, known[:, values <= each.band**2]])
-        lacking.append(each.matrix @ swung)
-    motions = np.hstack([known, body.displaced(np.hstack(lacking))])
+    known = known - body.rigid @ (body.mass_rigid.T @ known)
+    inertia, restoring = mass @ known, stiffness @ known
+    values = (known * restoring).sum(axis=0) / (known * inertia).sum(axis=0)
+    loads = [inertia - restoring / values]
+    for coupling in couplings:
+        sources = np.hstack([body.rigid, known[:, values <= coupling.band**2]])
+        loads.append(coupling.matrix @ sources)
+    motions = np.hstack([known, body.displaced(np.hstack(loads))])
     energy = motions.T @ (stiffness @ motions)
     size = np.maximum(energy.diagonal(), 0.0)
     values, elastic = body.normalised(body.independent(motions, energy, size))
-    every = np.concatenate([np.zeros(rigid.shape[1]), values])
-    vectors, modes = np.hstack([body.rigid, elastic]), np.ones(len(every), dtype=bool)
-    return Basis(vectors, every, modes, np.diag(np.sqrt(every)))
+    all_values = np.concatenate([np.zeros(rigid.shape[1]), values])
+    vectors, modes = np.hstack([body.rigid, elastic]), np.ones(len(all_values), dtype=bool)
+    return Basis(vectors, all_values, modes, np.diag(np.sqrt(all_values)))
 
 
 def _roots(body: _Body, static: Array, values: Array, rest: tuple[Array, Array]) -> Array:
-    """√(M⁻¹K) on static modes (n, s) of ``values``, made of the modes ``rest`` of ``_by_lapack``;
-    what these do not make up is taken for a mode. Rigid motions have no part in static modes."""
-    turn, omega = rest
+    """Return √(M⁻¹K) on static modes (n, s) of ``values``, made of the modes ``rest`` of
+    ``_by_lapack``; their remainder counts as a mode. Rigid motions have no part in static modes."""
+    vectors, omega = rest
     if not len(omega):
         return np.diag(np.sqrt(values))
-    share = omega[:, None] * (turn.T @ (body.upwards @ (body.mass @ static)[body.free]))
-    lacking = np.clip(1.0 - (share**2).sum(axis=0), 0.0, 1.0)
-    return np.asarray(share.T @ (omega[:, None] * share) + np.diag(lacking * np.sqrt(values)))
+    share = omega[:, None] * (vectors.T @ (body.inverse_factor @ (body.mass @ static)[body.free]))
+    remainder = np.clip(1.0 - (share**2).sum(axis=0), 0.0, 1.0)
+    return np.asarray(share.T @ (omega[:, None] * share) + np.diag(remainder * np.sqrt(values)))
 
 
 @dataclass(frozen=True, eq=False)
 class _Body:
-    """A body whose DOF are ``free`` but for those that hold it.
+    """A body whose DOF are ``free`` except those that hold it.
 
-    ``rigid`` R (n, r): Rᵀ M R = 1; ``pushed``: M R. ``solve``: y (n − r, k)
-    of K y = f on the free DOF; ``upwards`` L⁻¹: L Lᵀ = K there, empty of a sparse K.
+    ``rigid`` R (n, r): Rᵀ M R = 1; ``mass_rigid``: M R. ``solve``: y (n − r, k) of K y = f on the
+    free DOF; ``inverse_factor`` L⁻¹: L Lᵀ = K there, empty of a sparse K.
     """
 
     mass: Matrix
     rigid: Array
-    pushed: Array
+    mass_rigid: Array
     free: Indices
-    upwards: Array
+    inverse_factor: Array
     solve: Callable[[Array], Array]
 
     @classmethod
     def held(cls, mass: Matrix, stiffness: Matrix, rigid: Array) -> _Body:
-        """At the DOF that hold it best."""
-        size = np.linalg.cholesky(rigid.T @ (mass @ rigid))
-        rigid = np.asarray(np.linalg.solve(size, rigid.T).T)
+        """Return the body held at the DOF that hold it best."""
+        factor = np.linalg.cholesky(rigid.T @ (mass @ rigid))
+        rigid = np.asarray(np.linalg.solve(factor, rigid.T).T)
         free = np.delete(np.arange(len(rigid)), _holding(rigid, np.sqrt(abs(mass.diagonal()))))
-        pushed, stiff = mass @ rigid, stiffness[free][:, free]
+        mass_rigid, stiff = mass @ rigid, stiffness[free][:, free]
         if isinstance(mass, np.ndarray):
             lower = np.linalg.cholesky(stiff)
             _refuse_singular(lower.diagonal() ** 2, stiff)
-            upwards = _inverse(lower)
+            inverse_factor = _inverse(lower)
 
             def solve(load: Array) -> Array:
-                return np.asarray(upwards.T @ (upwards @ load))
+                return np.asarray(inverse_factor.T @ (inverse_factor @ load))
 
-            return cls(mass, rigid, pushed, free, upwards, solve)
-        held = _factors(stiff)
-        _refuse_singular(held.U.diagonal()[held.perm_c], stiff)
-        return cls(mass, rigid, pushed, free, np.zeros((0, 0)), held.solve)
+            return cls(mass, rigid, mass_rigid, free, inverse_factor, solve)
+        factors = _factors(stiff)
+        _refuse_singular(factors.U.diagonal()[factors.perm_c], stiff)
+        return cls(mass, rigid, mass_rigid, free, np.zeros((0, 0)), factors.solve)
 
     @cached_property
     def root(self) -> Matrix:
@@ -232,105 +238,106 @@ class _Body:
         return diags_array(pivots**-0.5) @ upper
 
     def elastic(self, motions: Array) -> Array:
-        """Motions (n, k) of those (n − r, k) of the free DOF, without rigid ones."""
-        every = np.zeros((len(self.rigid), motions.shape[1]))
-        every[self.free] = motions
-        return np.asarray(every - self.rigid @ (self.pushed.T @ every))
+        """Return motions (n, k), without rigid ones, from those (n − r, k) of the free DOF."""
+        motion = np.zeros((len(self.rigid), motions.shape[1]))
+        motion[self.free] = motions
+        return np.asarray(motion - self.rigid @ (self.mass_rigid.T @ motion))
 
     def displaced(self, loads: Array) -> Array:
-        """Elastic displacements (n, k) by the self-equilibrated part of ``loads`` (n, k)."""
-        loads = loads - self.pushed @ (self.rigid.T @ loads)
+        """Return elastic displacements (n, k) by the self-equilibrated part of ``loads`` (n, k)."""
+        loads = loads - self.mass_rigid @ (self.rigid.T @ loads)
         return self.elastic(self.solve(loads[self.free]))
 
     def independent(self, motions: Array, energy: Array, size: Array) -> Array:
-        """Combinations of ``motions`` V (n, k) with energy Vᵀ K V = 1, of ``energy`` (k, k); less
-        than ``NEW`` beside the ``size`` (k,) of each is none."""
+        """Return combinations of ``motions`` V (n, k) with energy Vᵀ K V = 1, of ``energy`` (k, k);
+        those with less than ``NEW`` of the ``size`` (k,) of each are omitted."""
         scale = (size + TINY) ** -0.5
-        share, turn = np.linalg.eigh(scale[:, None] * (energy + energy.T) / 2.0 * scale)
-        most = np.arange(len(share)) >= len(share) - len(self.free)  # no more than DOF
-        new = (share > NEW) & most
-        return np.asarray(motions @ (scale[:, None] * turn[:, new] / np.sqrt(share[new])))
+        share, vectors = np.linalg.eigh(scale[:, None] * (energy + energy.T) / 2.0 * scale)
+        possible = np.arange(len(share)) >= len(share) - len(self.free)  # no more than DOF
+        new = (share > NEW) & possible
+        return np.asarray(motions @ (scale[:, None] * vectors[:, new] / np.sqrt(share[new])))
 
     def normalised(self, motions: Array) -> tuple[Array, Array]:
-        """Values and vectors of the span of ``motions`` V (n, k), Vᵀ K V = 1.
+        """Return values and vectors of the span of ``motions`` V (n, k), Vᵀ K V = 1.
 
-        They are the singular values of U V; small ones keep as many digits as large ones."""
-        _, size, turn = np.linalg.svd(np.linalg.qr(self.root @ motions, mode="r"))
-        return size**-2, motions @ (turn.T / size)
+        They are the singular values of U V; small ones keep as many digits as large ones.
+        """
+        _, size, right = np.linalg.svd(np.linalg.qr(self.root @ motions, mode="r"))
+        return size**-2, motions @ (right.T / size)
 
 
 def _holding(rigid: Array, scale: Array) -> list[int]:
-    """DOF that hold a body with the motions ``rigid`` (n, r), as far apart as they are; each in
-    its ``scale`` (n,)."""
-    rest, chosen = rigid * scale[:, None], list[int]()
+    """Return DOF that hold a body with the motions ``rigid`` (n, r), as independent as possible;
+    each in its ``scale`` (n,)."""
+    remaining, chosen = rigid * scale[:, None], list[int]()
     for _ in range(rigid.shape[1]):
-        size = (rest**2).sum(axis=1)
+        size = (remaining**2).sum(axis=1)
         chosen.append(int(size.argmax()))
-        row = rest[chosen[-1]] / np.sqrt(size[chosen[-1]])
-        rest = rest - np.outer(rest @ row, row)
+        row = remaining[chosen[-1]] / np.sqrt(size[chosen[-1]])
+        remaining = remaining - np.outer(remaining @ row, row)
     return chosen
 
 
 def _by_lapack(body: _Body, least: int, cutoff: float) -> tuple[Array, Array, tuple[Array, Array]]:
-    """Elastic modes up to the cutoff, so many at ``least``: values (k,), vectors (n, k); and
+    """Return elastic modes up to the cutoff, at least ``least``: values (k,), vectors (n, k); and
     of those above y (n − r, k) and ω [rad/s]: their vectors are L⁻ᵀ y ω without rigid motions."""
-    pushed = body.pushed[body.free]
-    inertia = body.mass[body.free][:, body.free] - pushed @ pushed.T
-    inner = body.upwards @ inertia @ body.upwards.T  # L⁻¹ (M − M R Rᵀ M) L⁻ᵀ
-    inverse, turn = np.linalg.eigh((inner + inner.T) / 2.0)
+    mass_rigid = body.mass_rigid[body.free]
+    inertia = body.mass[body.free][:, body.free] - mass_rigid @ mass_rigid.T
+    inner = body.inverse_factor @ inertia @ body.inverse_factor.T  # L⁻¹ (M − M R Rᵀ M) L⁻ᵀ
+    inverse, vectors = np.linalg.eigh((inner + inner.T) / 2.0)
     lowest = np.arange(len(inverse))[::-1] < least
     clear = inverse > STIFF * inverse.max(initial=0.0)
     kept = (inverse * cutoff**2 > 1.0) | (lowest & clear)
-    rest = ~kept & (inverse > RESOLVED * inverse.max(initial=0.0))
-    modes = body.normalised(body.elastic(body.upwards.T @ turn[:, kept]))
-    return *modes, (turn[:, rest], inverse[rest] ** -0.5)
+    truncated = ~kept & (inverse > RESOLVED * inverse.max(initial=0.0))
+    modes = body.normalised(body.elastic(body.inverse_factor.T @ vectors[:, kept]))
+    return *modes, (vectors[:, truncated], inverse[truncated] ** -0.5)
 
 
 def _by_lanczos(body: _Body, below: int, least: int, cutoff: float) -> tuple[Array, Array]:
-    """The same, so many known to be ``below`` the cutoff."""
+    """Return elastic modes as ``_by_lapack``, of which ``below`` lie below the cutoff."""
     from scipy.sparse.linalg import LinearOperator, eigsh
 
-    back = body.root.T.tocsr()
+    transposed = body.root.T.tocsr()
 
-    def turned(motion: Array) -> Array:  # U K⁻¹ Uᵀ, of the eigenvalues 1/ω²
-        return np.asarray(body.root @ body.displaced((back @ motion)[:, None])).ravel()
+    def inverse_times(motion: Array) -> Array:  # U K⁻¹ Uᵀ, of the eigenvalues 1/ω²
+        return np.asarray(body.root @ body.displaced((transposed @ motion)[:, None])).ravel()
 
-    inverse = LinearOperator(body.mass.shape, matvec=turned, dtype=np.float64)
-    start = turned(np.random.default_rng(1).standard_normal(len(body.rigid)))
-    wanted = max(below, least)
-    squares, modes = eigsh(inverse, wanted, v0=start)
+    inverse = LinearOperator(body.mass.shape, matvec=inverse_times, dtype=np.float64)
+    start = inverse_times(np.random.default_rng(1).standard_normal(len(body.rigid)))
+    count = max(below, least)
+    squares, modes = eigsh(inverse, count, v0=start)
     order = np.argsort(-squares)
     squares, modes = squares[order], modes[:, order]
     if (
         squares * (1.0 + NEAR) * max(cutoff**2, 1.0 / squares[0]) > 1.0
     ).sum() < below:  # one is missed
         raise np.linalg.LinAlgError
-    return 1.0 / squares, body.displaced(back @ modes) / squares
+    return 1.0 / squares, body.displaced(transposed @ modes) / squares
 
 
 def _static_modes(body: _Body, values: Array, elastic: Array, ports: Array) -> tuple[Array, Array]:
-    """What displacements by ``ports`` add to ``elastic`` modes (n, k) of ``values`` (k,)."""
-    bending = np.abs(ports - body.pushed @ (body.rigid.T @ ports)).max(axis=0, initial=0.0)
-    ports = ports[:, bending > RIGIDLY * np.abs(ports).max(axis=0, initial=0.0)]
-    pushed, answer = body.mass @ elastic, elastic.T @ ports
-    loads = ports - pushed @ answer
+    """Return what displacements by ``ports`` add to ``elastic`` modes (n, k) of ``values`` (k,)."""
+    balanced = np.abs(ports - body.mass_rigid @ (body.rigid.T @ ports)).max(axis=0, initial=0.0)
+    ports = ports[:, balanced > RIGIDLY * np.abs(ports).max(axis=0, initial=0.0)]
+    inertia, response = body.mass @ elastic, elastic.T @ ports
+    loads = ports - inertia @ response
     motions = body.displaced(loads)
-    motions -= elastic @ (pushed.T @ motions)
-    lacking = (motions * loads).sum(axis=0)
-    flexibility = np.maximum(lacking, NOTHING * (answer**2 / values[:, None]).sum(axis=0))
+    motions -= elastic @ (inertia.T @ motions)
+    remainder = (motions * loads).sum(axis=0)
+    flexibility = np.maximum(remainder, NOTHING * (response**2 / values[:, None]).sum(axis=0))
     motions = body.independent(motions, motions.T @ loads, flexibility)
-    return body.normalised(motions - elastic @ (pushed.T @ motions))
+    return body.normalised(motions - elastic @ (inertia.T @ motions))
 
 
 def _refuse_singular(pivots: Array, matrix: Matrix) -> None:
-    """Raise LinAlgError where a pivot (n,) is rounding: a part of the body is held by nothing."""
+    """Raise LinAlgError if a pivot (n,) is rounding: a part of the body is free."""
     if (pivots <= ROUNDING * matrix.diagonal()).any():
         raise np.linalg.LinAlgError
 
 
 def _inverse(lower: Array) -> Array:
-    """Of a lower triangular matrix, by halves: half the time of a general inverse, of large ones a
-    fifth."""
+    """Return the inverse of a lower triangular matrix, by halves: half the time of a general
+    inverse, of large ones a fifth."""
     if len(lower) <= FEW:
         return np.asarray(np.linalg.inv(lower))
     half, inverse = len(lower) // 2, np.zeros_like(lower)
@@ -341,7 +348,7 @@ def _inverse(lower: Array) -> Array:
 
 
 def _factors(matrix: Matrix) -> Any:
-    """Sparse L U of a symmetric matrix, pivots on its diagonal; LinAlgError where one vanishes."""
+    """Return sparse L U of a symmetric matrix, pivots on its diagonal; LinAlgError if one is 0."""
     from scipy.sparse.linalg import splu
 
     options = {"SymmetricMode": True, "Equil": False}

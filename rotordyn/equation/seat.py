@@ -1,4 +1,4 @@
-"""Bearings at their seats: tangents and dampers between the shaft and what the outer ring is in.
+"""Bearings at their seats: tangents and dampers between the shaft and the outer ring's support.
 
 Theory: docs/theory/supports.md#bearings-at-their-seats.
 """
@@ -18,18 +18,18 @@ from rotordyn.machine.seat import BearingSeat
 BEARING_DIRECTIONS = ("x", "y", "z", "thy", "thz")
 HALF_TURN_ABOUT_Y = np.array([-1.0, 1.0, -1.0, 1.0, -1.0])
 _PLACES = np.array([position(name) for name in BEARING_DIRECTIONS])
-NOISE = 1e-12  # of what two directions resist by themselves: less coupling is rounding
+NOISE = 1e-12  # of the direct stiffness of two directions: less coupling is rounding
 
 
 def seat_matrices(seat: BearingSeat, place: int) -> AtState:
-    """Of bearing number ``place``: its tangent in the spindle's frame (s, 6, 6), its dampers."""
+    """Return the tangent of bearing number ``place`` in the spindle's frame, and its dampers."""
     damping = np.diag([seat.axial_damping, *[seat.radial_damping] * 2, 0.0, 0.0, 0.0])
     return lambda state: LinkMatrices(state.tangents[:, place], damping[None])
 
 
 def in_spindle_frame(seats: Sequence[BearingSeat], tangents: Array) -> Array:
-    """Tangents of bearings in their own frames (s, seats, 5, 5), in the spindle's (s, seats, 6, 6);
-    coupling below ``NOISE`` is zero."""
+    """Return tangents (s, seats, 6, 6) in the spindle's frame from those of bearings in their own
+    (s, seats, 5, 5); coupling below ``NOISE`` is zero."""
     stiffness = turn(tangents, np.array([seat.thrust for seat in seats], dtype=np.intp))
     size = np.sqrt(np.abs(np.diagonal(stiffness, axis1=-2, axis2=-1)))
     noise = np.abs(stiffness) < NOISE * size[..., :, None] * size[..., None, :]
@@ -37,7 +37,7 @@ def in_spindle_frame(seats: Sequence[BearingSeat], tangents: Array) -> Array:
 
 
 def turn(matrix: ArrayLike, thrust: int | Indices) -> Array:
-    """A bearing's matrix (…, 5, 5) in its own frame, as (…, 6, 6) in the spindle's.
+    """Return a bearing's matrix (…, 5, 5) in its own frame as (…, 6, 6) in the spindle's.
 
     ``thrust`` −1, of all or of each (…,), means that the bearing's own x is −x of the spindle: a
     half turn about y, R = diag(−1, 1, −1, 1, −1) and K → R K R, so that K[y, thz] and K[z, thy]
@@ -45,6 +45,6 @@ def turn(matrix: ArrayLike, thrust: int | Indices) -> Array:
     """
     values = np.asarray(matrix, dtype=np.float64)
     signs = np.where(np.asarray(thrust)[..., None] < 0, HALF_TURN_ABOUT_Y, 1.0)
-    turned = np.zeros((*values.shape[:-2], 6, 6))
-    turned[..., _PLACES[:, None], _PLACES] = signs[..., :, None] * values * signs[..., None, :]
-    return turned
+    rotated = np.zeros((*values.shape[:-2], 6, 6))
+    rotated[..., _PLACES[:, None], _PLACES] = signs[..., :, None] * values * signs[..., None, :]
+    return rotated

@@ -1,7 +1,7 @@
 """Section forces of a straight shaft under point loads and line loads, from equilibrium alone.
 
-The shaft is cut; what the part behind the cut does to the part in front is the sum of all loads
-behind it, moments about the centre of the section. No stiffness enters.
+The shaft is cut; the part behind the cut acts on the part in front with the sum of all loads behind
+it, moments about the centre of the section. No stiffness enters.
 """
 
 from __future__ import annotations
@@ -27,17 +27,17 @@ class SectionForces:
 
 
 def section_forces(x: Array, point: Array, line: Array) -> SectionForces:
-    """Section forces between nodes at ``x`` (nodes,) [m], ascending.
+    """Return section forces between nodes at ``x`` (nodes,) [m], ascending.
 
     ``point`` (nodes, 6): forces and moments on nodes [N, N·m]; ``line`` (…, elements, 2, 3): force
-    per length [N/m] at both ends of each element, straight in between; supports are loads like any
+    per length [N/m] at both ends of each element, linear in between; supports are loads like any
     other.
     """
     h = np.diff(x)[:, None]
-    begin, end = line[..., 0, :], line[..., 1, :]
-    along, arm = (begin + end) * h / 2.0, (begin + 2.0 * end) * h / 6.0
-    force_rear = behind(point[..., 1:, :3]) + point[..., 1:, :3] + behind(along)
-    force_front = force_rear + along
+    start, end = line[..., 0, :], line[..., 1, :]
+    resultant, arm = (start + end) * h / 2.0, (start + 2.0 * end) * h / 6.0
+    force_rear = behind(point[..., 1:, :3]) + point[..., 1:, :3] + behind(resultant)
+    force_front = force_rear + resultant
     gain = h * _lever(force_rear) + h * _lever(arm)
     moment_rear = behind(point[..., 1:, 3:]) + point[..., 1:, 3:] + behind(gain)
     return SectionForces(
@@ -47,12 +47,12 @@ def section_forces(x: Array, point: Array, line: Array) -> SectionForces:
 
 
 def _lever(force: Array) -> Array:
-    """Moment of a force one metre behind: x̂ × F."""
+    """Return the moment of a force one metre behind: x̂ × F."""
     return np.stack([np.zeros_like(force[..., 0]), -force[..., 2], force[..., 1]], axis=-1)
 
 
 def behind(values: Array) -> Array:
-    """Sum over all later elements."""
+    """Return the sum over all later elements."""
     total = np.zeros_like(values)
     total[..., :-1, :] = np.cumsum(values[..., :0:-1, :], axis=-2)[..., ::-1, :]
     return total

@@ -1,9 +1,9 @@
 """The shaft of a rotor: elements of any degree in bending, axial motion and torsion.
 
-Nodes stand at every station and between them so that no wave up to the highest frequency errs by
-more than the accuracy allows (``fineness``). Where a joint gives way the element behind it stands
-on the node and on one more DOF, the motion of the part behind against the part in front: so the
-spring of a joint is the stiffness of one DOF, and however stiff, no digits of the shaft are lost.
+Nodes lie at every station and between them so that no wave up to the highest frequency errs by more
+than the accuracy allows (``fineness``). At a flexible joint the element behind it has the node and
+one more DOF, the motion of the part behind relative to the part in front: so the spring of a joint
+is the stiffness of one DOF, and however stiff, no digits of the shaft are lost.
 
 Theory: docs/theory/shaft.md.
 """
@@ -48,9 +48,9 @@ PLANES = {"y": (("y", "thz"), np.array([1.0, 1.0])), "z": (("z", "thy"), np.arra
 class Shaft:
     """Elements between the nodes of ``mesh``, of a rotor called ``body``.
 
-    ``node`` (nodes, 6): DOF of the nodes, of a joint those of the part in front; ``jump``: by node
-    and direction the DOF of a joint there. ``degree`` (elements,) in bending, ``rod_degree`` of
-    rods; ``inner``: by line of the rotor the first inner DOF of each element.
+    ``node`` (nodes, 6): DOF of the nodes, of a joint those of the part in front; ``jump``: DOF of
+    joints by node and direction. ``degree`` (elements,) in bending, ``rod_degree`` of rods;
+    ``inner``: first inner DOF of each element by line of the rotor.
     """
 
     body: str
@@ -67,8 +67,8 @@ class Shaft:
     def of(
         cls, dofs: Dofs, spindle: Spindle, body: str, ratio: float, fine: Fineness, shown: Mesh
     ) -> Shaft:
-        """A rotor as fine as an accuracy asks; without one standard elements between the nodes of
-        the mesh ``shown``.
+        """Build a rotor as fine as an accuracy requires; without one, of standard elements between
+        the nodes of the mesh ``shown``.
 
         Raises
         ------
@@ -85,23 +85,23 @@ class Shaft:
                         jump[at, name] = dofs.add(body, [name]).item()
         shaft = cls(body, ratio, spindle, mesh, node, jump, degree, rod_degree, {})
         for way in ("y", "x", "z", "thx"):
-            begin, inside = dofs.count, shaft._inner_dofs(way)
-            dofs.add(body, [way], int(inside.sum()))
-            shaft.inner[way] = begin + np.cumsum(inside) - inside
+            first, inner = dofs.count, shaft._inner_dofs(way)
+            dofs.add(body, [way], int(inner.sum()))
+            shaft.inner[way] = first + np.cumsum(inner) - inner
         return shaft
 
     def _degree(self, way: str) -> Indices:
-        """Degree along a line (elements,)."""
+        """Return the degree along a line (elements,)."""
         return self.degree if way in PLANES else self.rod_degree
 
     def _inner_dofs(self, way: str) -> Indices:
-        """Inner DOF of each element along a line (elements,)."""
+        """Return the number of inner DOF of each element along a line (elements,)."""
         if way in PLANES:
             return bending.inner_dofs(self.degree, sheared(self.spindle))
         return self.rod_degree - 1
 
     def parts(self) -> Iterator[Part]:
-        """Mass, stiffness, gyroscopic effect and translational mass (softening)."""
+        """Yield mass, stiffness, gyroscopic effect and translational mass (softening)."""
         yield from self._bending_parts()
         yield from self._rod_parts()
 
@@ -109,15 +109,15 @@ class Shaft:
         for n in np.unique(self.degree).tolist():
             chosen = np.flatnonzero(self.degree == n)
             sections = sections_at(self.spindle, self.mesh, bending.quadrature(n)[0])
-            along = (each[chosen] for each in sections)
-            place = self.mesh.length[chosen], self._phi[chosen]
-            matrices = bending.beam_matrices(*place, *along, degree=n)
+            properties = (values[chosen] for values in sections)
+            shape = self.mesh.length[chosen], self._phi[chosen]
+            matrices = bending.beam_matrices(*shape, *properties, degree=n)
             (y, moves), (z, _) = self.rows("y", chosen), self.rows("z", chosen)
-            both = {"mass": matrices.mass, "stiffness": matrices.stiffness}
-            both["softening"] = matrices.translational_mass
-            for (name, matrix), rows in product(both.items(), (y, z)):
-                yield Part(name, rows, rows, _between(moves, matrix))
-            yield Part("gyroscopic", y, z, self.ratio * _between(moves, matrices.polar))
+            matrix_of = {"mass": matrices.mass, "stiffness": matrices.stiffness}
+            matrix_of["softening"] = matrices.translational_mass
+            for (name, matrix), rows in product(matrix_of.items(), (y, z)):
+                yield Part(name, rows, rows, _in_dofs(moves, matrix))
+            yield Part("gyroscopic", y, z, self.ratio * _in_dofs(moves, matrices.polar))
 
     @cached_property
     def _phi(self) -> Array:
@@ -126,18 +126,18 @@ class Shaft:
         return bending.shear_parameter(self.mesh.length, bend, shear)
 
     def _rod_parts(self) -> Iterator[Part]:
-        for way, section in (("x", axial), ("thx", torsion)):
+        for direction, section in (("x", axial), ("thx", torsion)):
             for n in np.unique(self.rod_degree).tolist():
                 chosen = np.flatnonzero(self.rod_degree == n)
-                along = (each[chosen] for each in section(self.mesh, rod.quadrature(n)[0]))
-                mass, stiffness = rod.rod_matrices(self.mesh.length[chosen], *along, degree=n)
-                rows, moves = self.rows(way, chosen)
-                yield Part("mass", rows, rows, _between(moves, mass))
-                yield Part("stiffness", rows, rows, _between(moves, stiffness))
+                properties = (values[chosen] for values in section(self.mesh, rod.quadrature(n)[0]))
+                mass, stiffness = rod.rod_matrices(self.mesh.length[chosen], *properties, degree=n)
+                rows, moves = self.rows(direction, chosen)
+                yield Part("mass", rows, rows, _in_dofs(moves, mass))
+                yield Part("stiffness", rows, rows, _in_dofs(moves, stiffness))
 
     def rows(self, way: str, elements: Indices) -> tuple[Indices, Array | None]:
-        """DOF (e, k) of elements of one degree, those of the ends first, of joints last; and how
-        their own motions (e, j, k) follow these, None where there is no joint before any."""
+        """Return DOF (e, k) of elements of one degree, those of the ends first, of joints last; and
+        the map to their own motions (e, j, k), None where there is no joint in front of any."""
         names = NAMES[way]
         places = [position(name) for name in names]
         inner = self.inner[way][elements][:, None] + np.arange(self._inner_dofs(way)[elements[0]])
@@ -147,34 +147,36 @@ class Shaft:
             return rows, None
         jumps = [[self.jump.get((e, name), -1) for name in names] for e in elements.tolist()]
         jump = np.array(jumps, dtype=np.intp)
-        gives, along = jump >= 0, np.arange(len(names))
-        if not gives.any():
+        flexible, ends_of = jump >= 0, np.arange(len(names))
+        if not flexible.any():
             return rows, None
         moves = np.zeros((*rows.shape, rows.shape[1] + len(names)))
         moves[:, :, : rows.shape[1]] = np.eye(rows.shape[1])
-        moves[:, along, rows.shape[1] + along] = gives
-        return np.hstack([rows, np.where(gives, jump, rows[:, :1])]), moves
+        moves[:, ends_of, rows.shape[1] + ends_of] = flexible
+        return np.hstack([rows, np.where(flexible, jump, rows[:, :1])]), moves
 
     def nested(self, coarse: Shaft, way: str) -> tuple[Indices, Indices]:
-        """DOF of a line, and those of the same shaft of lower degrees, of elements of the same
-        lengths, that have the same shape functions."""
-        here, there, count = self._degree(way), coarse._degree(way), coarse._inner_dofs(way)
-        leaning = there if way in PLANES and sheared(self.spindle) else count  # then come more
+        """Return DOF of a line, and those with the same shape functions in the same shaft of lower
+        degrees, of elements of the same lengths."""
+        fine_n, coarse_n, count = self._degree(way), coarse._degree(way), coarse._inner_dofs(way)
+        leaning = coarse_n if way in PLANES and sheared(self.spindle) else count  # then come more
         element = np.repeat(np.arange(len(count)), count)
         number = np.arange(len(element)) - np.repeat(np.cumsum(count) - count, count)
-        behind = np.where(number >= leaning[element], (here - there)[element], 0)
-        fine, known = (
+        behind = np.where(number >= leaning[element], (fine_n - coarse_n)[element], 0)
+        fine, coarser = (
             [self.inner[way][element] + number + behind],
             [coarse.inner[way][element] + number],
         )
         for name in NAMES[way]:
-            for shaft, rows in ((self, fine), (coarse, known)):
-                jumps = [number for (_, each), number in shaft.jump.items() if each == name]
+            for shaft, rows in ((self, fine), (coarse, coarser)):
+                jumps = [
+                    number for (_, direction), number in shaft.jump.items() if direction == name
+                ]
                 rows += [shaft.node[:, position(name)], np.array(jumps, dtype=np.intp)]
-        return np.concatenate(fine), np.concatenate(known)
+        return np.concatenate(fine), np.concatenate(coarser)
 
     def rigid(self, way: str) -> Iterator[tuple[Indices, Array]]:
-        """Rigid motions of the DOF of a line: DOF and their displacements, signed."""
+        """Yield rigid motions of the DOF of a line: DOF and their displacements, signed."""
         x = self.mesh.x - self.mesh.x.mean()
         if way not in PLANES:
             yield self.node[:, position(way)], np.ones((len(x), 1))
@@ -184,8 +186,8 @@ class Shaft:
             yield tilt, np.stack([np.zeros_like(x), np.ones_like(x)], axis=1)
 
     def bent(self, way: str, x: Array) -> list[Rows]:
-        """Of a bending plane deflection and tilt at stations ``x``, two rows a station; at a joint
-        those of the part in front."""
+        """Return deflection and tilt in a bending plane at stations ``x``, two rows a station; at a
+        joint those of the part in front."""
 
         def both(_: Indices, *of: Any) -> Array:
             shape = self._bending_shapes(*of)
@@ -194,7 +196,7 @@ class Shaft:
         return self._rows_at(way, x, both)
 
     def sloped(self, way: str, x: Array, weight: Array) -> list[Rows]:
-        """The slopes v′ there times ``weight`` (stations,), a row a station."""
+        """Return the slopes v′ there times ``weight`` (stations,), a row a station."""
 
         def slope(at: Indices, *of: Any) -> Array:
             return self._bending_shapes(*of).slope * weight[at, None, None]
@@ -202,15 +204,15 @@ class Shaft:
         return self._rows_at(way, x, slope)
 
     def moved(self, way: str, x: Array) -> list[Rows]:
-        """Axial displacement or twist at stations ``x``, a row a station."""
+        """Return axial displacement or twist at stations ``x``, a row a station."""
         return self._rows_at(way, x, lambda _at, _elements, *of: rod.shapes(*of))
 
     def _bending_shapes(self, elements: Indices, degree: int, xi: Array) -> bending.Shapes:
         return bending.shapes(self.mesh.length[elements], self._phi[elements], degree, xi)
 
     def _rows_at(self, way: str, x: Array, shapes: Callable[..., Array]) -> list[Rows]:
-        """Rows of stations ``x``; ``shapes``: (e, r, k) by their numbers, elements of one degree,
-        that, and ξ (e, 1)."""
+        """Return rows of stations ``x``; ``shapes``: (e, r, k) by their numbers, elements of one
+        degree, that degree, and ξ (e, 1)."""
         element, xi = self._place(x)
         degree, parts = self._degree(way)[element], []
         for n in np.unique(degree).tolist():
@@ -222,20 +224,20 @@ class Shaft:
         return parts
 
     def _place(self, x: Array) -> tuple[Indices, Array]:
-        """Element and ξ on [−1, 1] of stations ``x`` [m]; at a node of the element in front."""
+        """Return element and ξ on [−1, 1] of stations ``x`` [m]; at nodes the element in front."""
         nodes, slack = self.mesh.x, COINCIDENT * float(self.mesh.x[-1] - self.mesh.x[0])
         element = np.clip(np.searchsorted(nodes, x - slack) - 1, 0, len(self.degree) - 1)
         xi = 2.0 * (x - nodes[element]) / self.mesh.length[element] - 1.0
         return element, np.clip(xi, -1.0, 1.0)
 
 
-def _between(moves: Array | None, blocks: Array) -> Array:
-    """Blocks (e, k, k) of matrices (e, j, j) of elements by their DOF."""
+def _in_dofs(moves: Array | None, blocks: Array) -> Array:
+    """Return blocks (e, k, k) of matrices (e, j, j) of elements by their DOF."""
     return blocks if moves is None else np.asarray(np.swapaxes(moves, 1, 2) @ blocks @ moves)
 
 
 def _elements(spindle: Spindle, shown: Mesh, fine: Fineness) -> tuple[Mesh, Indices, Indices]:
-    """Nodes, degrees in bending and of rods."""
+    """Return nodes, degrees in bending and of rods."""
     if fine.accuracy is None:
         mesh = divided(shown, np.full(shown.nodes - 1, 2**fine.finer, dtype=np.intp))
         return mesh, *np.ones((2, mesh.nodes - 1), dtype=np.intp)
@@ -243,15 +245,15 @@ def _elements(spindle: Spindle, shown: Mesh, fine: Fineness) -> tuple[Mesh, Indi
     ratio = coarse.steepness
     wave = bending_wave(fine.band, fine.spin, *sections_at(spindle, coarse, ENDS)).max(axis=1)
     parts, degree = parts_and_degree(wave * coarse.length, fine.accuracy, ratio)
-    along = np.maximum(
+    wave_number = np.maximum(
         *(rod_wave(fine.band, *wave_of(coarse, MIDDLE))[:, 0] for wave_of in (axial, torsion))
     )
-    more, rod_degree = parts_and_degree(
-        along * coarse.length / parts, fine.accuracy, cut(ratio, parts)
+    cuts, rod_degree = parts_and_degree(
+        wave_number * coarse.length / parts, fine.accuracy, cut(ratio, parts)
     )
     if not sheared(spindle):
         degree = np.maximum(degree, 2)  # degrees 1 and 2 are one element without shear
-    parts, degree, rod_degree = parts * more, degree + fine.finer, rod_degree + fine.finer
+    parts, degree, rod_degree = parts * cuts, degree + fine.finer, rod_degree + fine.finer
     size = float((bending.inner_dofs(degree, sheared(spindle)) + 2) @ parts)
     if size > MOST_DOF:
         raise InvalidInput(
@@ -263,7 +265,7 @@ def _elements(spindle: Spindle, shown: Mesh, fine: Fineness) -> tuple[Mesh, Indi
 
 
 def half_wave(spindle: Spindle, mesh: Mesh, spin: float) -> float:
-    """Highest whirl [rad/s] that crosses no element of ``mesh`` by more than half a wave."""
+    """Return the highest whirl [rad/s] that crosses no element by more than half a wave."""
     sections, length = sections_at(spindle, mesh, ENDS), mesh.length[:, None]
 
     def phase(omega: float) -> float:

@@ -1,8 +1,7 @@
-"""Sliding sleeves: one DOF along the axis where the preload spring gives way, two across it where
-the bore does.
+"""Sliding sleeves: one DOF along the axis on a flexible spring, two across it in a flexible bore.
 
-A sleeve without mass has the one that puts it far above the highest frequency asked for on its
-spring (``Fineness.weightless``).
+A sleeve without mass has a fictitious one that puts it on its spring far above the highest
+frequency required (``Fineness.weightless``).
 
 Theory: docs/theory/supports.md#sleeves.
 """
@@ -24,8 +23,8 @@ from rotordyn.machine.sleeve import Sleeve
 from rotordyn.machine.spindle import Spindle
 
 CLOSED = 1e6  # stiffness of a closed stop over that of the bearings on its sleeve
-SOFT = 3e-3  # of the stiffness of its bearings: a fictitious mass is not taken from less
-PRESSED = 1e-3  # of the free distance of their grooves, as far as they are pressed then
+SOFT = 3e-3  # of the stiffness of its bearings: least stiffness that gives a fictitious mass
+PRESSED = 1e-3  # of the free distance of their grooves: the deflection assumed for it
 
 
 class Sleeves:
@@ -35,48 +34,54 @@ class Sleeves:
         self.spindle, self.fine = spindle, fine
         self.dofs: dict[tuple[str, str], int] = {}
         for sleeve in spindle.sleeves:
-            for way, stiffness in springs(sleeve):
+            for direction, stiffness in springs(sleeve):
                 if math.isfinite(stiffness):
-                    self.dofs[sleeve.name, way] = dofs.add(f"sleeve {sleeve.name}", [way]).item()
+                    self.dofs[sleeve.name, direction] = dofs.add(
+                        f"sleeve {sleeve.name}", [direction]
+                    ).item()
 
     def of(self, spindle: Spindle) -> Sleeves:
-        """The same DOF on the springs of another spindle."""
+        """Return the same DOF on the springs of another spindle."""
         other = copy(self)
         other.spindle = spindle
         return other
 
     def under(self, seat: str) -> dict[str, int]:
-        """DOF of the sleeve that carries a bearing, by direction."""
+        """Return the DOF of the sleeve that carries a bearing, by direction."""
         sleeve = self.spindle.sleeve_of(seat)
         if sleeve is None:
             return {}
-        return {way: number for (name, way), number in self.dofs.items() if name == sleeve.name}
+        return {
+            direction: number
+            for (name, direction), number in self.dofs.items()
+            if name == sleeve.name
+        }
 
     def parts(self) -> Iterator[Part]:
-        """Mass, and the spring across the axis."""
+        """Yield mass, and the spring across the axis."""
         for sleeve in self.spindle.sleeves:
-            for way, stiffness in springs(sleeve):
-                if (sleeve.name, way) in self.dofs:
-                    rows = _one(self.dofs[sleeve.name, way])
+            for direction, stiffness in springs(sleeve):
+                if (sleeve.name, direction) in self.dofs:
+                    rows = _one(self.dofs[sleeve.name, direction])
                     least = SOFT * self._bearings(sleeve)
                     mass = sleeve.mass or max(stiffness, least) / self.fine.weightless**2
                     yield Part("mass", rows, rows, np.full((1, 1, 1), mass))
-                    if way != "x":
+                    if direction != "x":
                         yield Part("stiffness", rows, rows, np.full((1, 1, 1), stiffness))
 
     def _bearings(self, sleeve: Sleeve) -> float:
-        """About the stiffness [N/m] of all its bearings."""
-        each = (
+        """Return the approximate stiffness [N/m] of all its bearings."""
+        geometries = (
             geometry(seat.bearing.grooves)
             for seat in self.spindle.seats
             if seat.name in sleeve.bearings
         )
         return sum(
-            g.balls * g.series_stiffness * math.sqrt(PRESSED * g.free_distance) for g in each
+            g.balls * g.series_stiffness * math.sqrt(PRESSED * g.free_distance) for g in geometries
         )
 
     def links(self) -> Iterator[Link]:
-        """The spring along the axis, and the stop where the sleeve stands at it."""
+        """Yield the spring along the axis, and the stop where the sleeve is at it."""
         for place, sleeve in enumerate(self.spindle.sleeves):
             if (sleeve.name, "x") in self.dofs:
                 carried = [k for k, s in enumerate(self.spindle.seats) if s.name in sleeve.bearings]
@@ -89,7 +94,7 @@ class Sleeves:
 
 
 def springs(sleeve: Sleeve) -> tuple[tuple[str, float], ...]:
-    """Directions and their stiffness [N/m], infinite where it cannot move."""
+    """Return directions and their stiffness [N/m], infinite where it cannot move."""
     radial = sleeve.radially
     return ("x", sleeve.spring.stiffness), ("y", radial), ("z", radial)
 
@@ -98,8 +103,8 @@ def _spring_and_stop(sleeve: Sleeve, place: int, carried: list[int]) -> AtState:
     def matrices(state: State) -> LinkMatrices:
         bearings = state.tangents[:, carried, 0, 0].sum(axis=1)
         stop = CLOSED * bearings * state.stops[:, place]
-        held = sleeve.spring.stiffness + stop
-        return LinkMatrices(held[:, None, None], np.zeros((1, 1, 1)))
+        stiffness = sleeve.spring.stiffness + stop
+        return LinkMatrices(stiffness[:, None, None], np.zeros((1, 1, 1)))
 
     return matrices
 

@@ -21,7 +21,7 @@ _RADIAL = np.diag(np.isin(np.arange(6), [position("y"), position("z")]).astype(f
 
 
 def film_coefficients(damper: SqueezeFilmDamper) -> tuple[float, float]:
-    """Stiffness over the speed of whirl, and damping, both [N·s/m] and alike along y and z."""
+    """Return stiffness over the speed of whirl, and damping [N·s/m], equal along y and z."""
     eps = damper.eccentricity_ratio
     size = damper.viscosity * damper.radius * (damper.length / damper.clearance) ** 3
     damping = np.pi * size / (1.0 - eps**2) ** 1.5
@@ -31,7 +31,7 @@ def film_coefficients(damper: SqueezeFilmDamper) -> tuple[float, float]:
 
 
 def film_matrices(damper: SqueezeFilmDamper) -> AtState:
-    """Stiffness (s, 6, 6) and damping (1, 6, 6); a load that stands still is carried by no film."""
+    """Return stiffness (s, 6, 6) and damping (1, 6, 6); no film carries a static load."""
     stiffness, damping = film_coefficients(damper)
 
     def matrices(state: State) -> LinkMatrices:

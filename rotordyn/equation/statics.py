@@ -19,8 +19,8 @@ from rotordyn.machine.rotor import Place
 from rotordyn.machine.support import SPINDLE
 
 PLANE = (0, 1, 4)  # x, y, θz of a bearing's five DOF
-EVERY = (0, 1, 2, 3, 4)
-NOTHING = 1e-8  # of the root of the largest stiffness: a motion that nothing holds
+EVERY = (0, 1, 2, 3, 4)  # all of them
+NOTHING = 1e-8  # of the root of the largest stiffness: a motion with less is free
 ROUNDING = 1e-12  # of a stiffness matrix with unit diagonal
 
 
@@ -29,10 +29,9 @@ class StaticRotor:
     """Static stiffness (states, m, m) of shaft, drawbar, sleeves and supports across the axis,
     without the bearings, in m coordinates; a state is an axial force in the shaft and a speed.
 
-    ``dof``: of the five of a bearing, those in which things move, x first; ``seats``
-    (seats, dof − 1, m): the others between the rings of each bearing; ``point`` (m,):
-    deflection where the load acts along it, or loads per newton of their size; ``constant`` (m,):
-    loads that act besides.
+    ``dof``: those of a bearing's five in which it moves, x first; ``seats`` (seats, dof − 1, m):
+    the others between the rings of each bearing; ``point`` (m,): deflection where the load acts
+    along it, or loads per newton of their size; ``constant`` (m,): additional loads.
     """
 
     dof: tuple[int, ...]
@@ -42,22 +41,22 @@ class StaticRotor:
     constant: Array
 
     def at(self, rows: Indices) -> StaticRotor:
-        """In some of its states."""
+        """Return the rotor in the states ``rows``."""
         return replace(self, stiffness=self.stiffness[rows])
 
 
 def plane_rotor(
     structure: Structure, speed: Array, point: Place, force: Array | None = None
 ) -> StaticRotor:
-    """Plane y of a structure with a port at ``point``, under the axial ``force`` (states, elements)
-    [N]."""
+    """Return plane y of a structure with a port at ``point``, under the axial ``force`` [N]
+    (states, elements)."""
     components = [
         c
         for c in structure.components
         if c.way == "y" and not c.lines[0].body.startswith("housing")
     ]
-    whole = assemble(structure, components, _without_bearings(structure, speed), force)
-    return _rotor(structure, whole, PLANE, whole.row(*point, "y"))
+    linear = assemble(structure, components, _without_bearings(structure, speed), force)
+    return _rotor(structure, linear, PLANE, linear.row(*point, "y"))
 
 
 def loaded_rotor(
@@ -67,37 +66,37 @@ def loaded_rotor(
     force: Array | None = None,
     constant: Across | None = None,
 ) -> StaticRotor:
-    """Both planes of a structure, housings and sleeves too, under ``loads`` per newton of their
-    size and ``constant`` ones besides, and the axial ``force`` (states, elements) [N]."""
-    components = [c for c in structure.components if _across(c)]
-    whole = assemble(structure, components, _without_bearings(structure, speed), force)
-    rotor = _rotor(structure, whole, EVERY, _acting(whole, loads))
+    """Return both planes of a structure, with housings and sleeves, under ``loads`` per newton of
+    their size, additional ``constant`` ones, and the axial ``force`` (states, elements) [N]."""
+    components = [c for c in structure.components if _moves_across(c)]
+    linear = assemble(structure, components, _without_bearings(structure, speed), force)
+    rotor = _rotor(structure, linear, EVERY, _forces(linear, loads))
     if constant is None:
         return rotor
-    return replace(rotor, constant=_acting(whole, constant) @ whole.basis)
+    return replace(rotor, constant=_forces(linear, constant) @ linear.basis)
 
 
-def _acting(linear: Linear, loads: Across) -> Array:
-    """Forces on the coordinates (m,)."""
-    acting = np.zeros(linear.size)
+def _forces(linear: Linear, loads: Across) -> Array:
+    """Return forces on the coordinates (m,)."""
+    force = np.zeros(linear.size)
     for place, load in loads.points:
-        acting += load @ linear.displaced(linear.structure.node(*place))
-    for way, pull in zip(("y", "z"), loads.pull, strict=True):
+        force += load @ linear.displaced(linear.structure.node(*place))
+    for plane, pull in zip(("y", "z"), loads.pull, strict=True):
         if pull:
-            acting += pull * _falling(linear, way)
-    return acting
+            force += pull * _weight(linear, plane)
+    return force
 
 
 class Across(NamedTuple):
-    """Loads across the axis: at places (Fx, Fy, Fz, Mx, My, Mz) (6,) [N, N·m], of which what acts
-    along and about x is not taken, and the ``pull`` of weight along y and z [m/s²]."""
+    """Loads across the axis: at places (Fx, Fy, Fz, Mx, My, Mz) (6,) [N, N·m], of which those along
+    and about x are ignored, and the ``pull`` of weight along y and z [m/s²]."""
 
     points: tuple[tuple[Place, Array], ...]
     pull: tuple[float, float]
 
     def per_newton(self, length: float, mass: float) -> tuple[Across, float]:
-        """The loads per newton of their size, and that size [N]: moments count by ``length`` [m],
-        weight by ``mass`` [kg]."""
+        """Return the loads per newton of their size, and that size [N]: moments count by ``length``
+        [m], weight by ``mass`` [kg]."""
         size = float(np.hypot(*self.pull)) * mass
         for _, load in self.points:
             size += float(np.linalg.norm(load[1:3]) + np.linalg.norm(load[4:]) / length)
@@ -106,18 +105,18 @@ class Across(NamedTuple):
         return Across(points, (share * y, share * z)), size
 
 
-def _across(component: Component) -> bool:
-    """It moves across the axis: bending of shafts, sleeves and housings."""
+def _moves_across(component: Component) -> bool:
+    """True if a component moves across the axis: bending of shafts, sleeves and housings."""
     return bool({line.way for line in component.lines} - {"x", "thx"})
 
 
-def _falling(linear: Linear, way: str) -> Array:
-    """Force per acceleration of gravity along y or z on the coordinates (m,), of shafts alone.
+def _weight(linear: Linear, way: str) -> Array:
+    """Return the force on the coordinates (m,) per acceleration of gravity along y or z, of shafts.
 
     Mass is the identity: it is the translation of the spindle's shaft in rigid coordinates.
     """
     mass = np.zeros(linear.size)
-    for component, where in zip(linear.components, linear.slices, strict=True):
+    for component, part in zip(linear.components, linear.slices, strict=True):
         if component.way != way or component.spindle is None:
             continue
         shaft = linear.structure.shafts[component.lines[0].body]
@@ -126,63 +125,63 @@ def _falling(linear: Linear, way: str) -> Array:
         sign = linear.structure.dofs.sign[nodes]
         motion = sign[:, None] * component.vectors[component.local(nodes)][:, rigid]
         share = np.linalg.lstsq(motion, np.ones(len(nodes)), rcond=None)[0]
-        mass[where][rigid] = share
+        mass[part][rigid] = share
     return mass
 
 
 def _rotor(structure: Structure, linear: Linear, dof: tuple[int, ...], point: Array) -> StaticRotor:
-    motions = {id(each.link): each.motions for each in linear.connections}
-    places = [position(BEARING_DIRECTIONS[k]) for k in dof[1:]]
-    rows = [motions[id(link)][places] for link in structure.seats]
-    seated = np.array(rows).reshape(-1, len(places), linear.size)
-    stiffness, acting = linear.allowed_stiffness, point @ linear.basis
-    return StaticRotor(dof, stiffness, seated @ linear.basis, acting, 0.0 * acting)
+    motions = {id(c.link): c.motions for c in linear.connections}
+    indices = [position(BEARING_DIRECTIONS[k]) for k in dof[1:]]
+    rows = [motions[id(link)][indices] for link in structure.seats]
+    rings = np.array(rows).reshape(-1, len(indices), linear.size)
+    stiffness, load = linear.allowed_stiffness, point @ linear.basis
+    return StaticRotor(dof, stiffness, rings @ linear.basis, load, 0.0 * load)
 
 
 def withstands(structure: Structure, state: State, force: Array, pull: float = 1.0) -> Flags:
-    """States (s,) in which the axial ``force`` (s, elements) [N] takes away no stable direction.
+    """Return the states (s,) in which the axial ``force`` (s, elements) [N] leaves bending stable.
 
     The symmetric stiffness of bending must have as many negative eigenvalues as without axial
-    force, which is none in any machine that stands. ``pull``: share of the drawbar's tension.
+    force, which is none in any stable machine. ``pull``: share of the drawbar's tension.
     """
-    loaded, free = (_bending(structure, state, each, pull) for each in (force, None))
+    loaded, free = (_bending(structure, state, axial, pull) for axial in (force, None))
     return np.asarray(_negative(loaded) <= _negative(free))
 
 
 def stands(structure: Structure, state: State, force: Array | None) -> Flags:
-    """States (s,) in which bending has no negative stiffness, under the axial ``force``
+    """Return the states (s,) in which bending has no negative stiffness, under the axial ``force``
     (s, elements) [N] if there is one."""
     return np.asarray(_negative(_bending(structure, state, force)) == 0)
 
 
 def _bending(structure: Structure, state: State, force: Array | None, pull: float = 1.0) -> Array:
-    """Stiffness (s, m, m) of the shaft's bending with all that moves with it."""
+    """Return the stiffness (s, m, m) of the shaft's bending with all that moves with it."""
     first = structure.node(SPINDLE, structure.spindle.shaft.start)[position("y")]
     bent = structure.components[structure.owner[first]]
-    every = subsystems(structure, state, drawbar=True)
-    components = next(components_of for components_of in every if bent in components_of)
+    groups = subsystems(structure, state, drawbar=True)
+    components = next(components_of for components_of in groups if bent in components_of)
     return assemble(structure, components, state, force, pull=pull).allowed_stiffness
 
 
 def _negative(matrix: Array) -> Array:
-    """Number of negative eigenvalues (s,) of the symmetric part; infinite where it is not known."""
+    """Return the number of negative eigenvalues (s,) of the symmetric part, or infinity."""
     matrix = 0.5 * (matrix + np.swapaxes(matrix, 1, 2))
-    known = np.asarray(np.isfinite(matrix).all(axis=(1, 2)))
+    finite = np.asarray(np.isfinite(matrix).all(axis=(1, 2)))
     size = np.sqrt(np.abs(np.diagonal(matrix, axis1=1, axis2=2)))
     largest = size.max(axis=1, keepdims=True)
-    size = np.where(size > NOTHING * largest, size, largest)  # held by nothing: rounding
-    size = np.where(known[:, None] & (size > 0.0), size, 1.0)
-    scaled = np.where(known[:, None, None], matrix, 0.0) / size[:, :, None] / size[:, None, :]
+    size = np.where(size > NOTHING * largest, size, largest)  # free: rounding
+    size = np.where(finite[:, None] & (size > 0.0), size, 1.0)
+    scaled = np.where(finite[:, None, None], matrix, 0.0) / size[:, :, None] / size[:, None, :]
     try:
         np.linalg.cholesky(scaled)
     except np.linalg.LinAlgError:
         values = np.linalg.eigvalsh(scaled)
-        return np.where(known, (values < -ROUNDING).sum(axis=1), np.inf)
+        return np.where(finite, (values < -ROUNDING).sum(axis=1), np.inf)
     return np.zeros(len(matrix))
 
 
 def _without_bearings(structure: Structure, speed: Array) -> State:
     seats, sleeves = len(structure.spindle.seats), len(structure.spindle.sleeves)
-    none = np.zeros((len(speed), seats, 6, 6))
+    tangents = np.zeros((len(speed), seats, 6, 6))
     stops = np.zeros((len(speed), sleeves), dtype=bool)
-    return State(speed, none, stops, standing=True)
+    return State(speed, tangents, stops, standing=True)

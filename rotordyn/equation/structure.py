@@ -1,5 +1,6 @@
-"""A machine without its states: DOF, parts and links of all terms, components that nothing joins
-but links.
+"""A machine without its states: DOF, parts and links of all terms, and its components.
+
+Components are motions that nothing but links joins.
 
 Theory: docs/theory/rotor.md.
 """
@@ -46,10 +47,9 @@ JOINING = ("mass", "stiffness", "damping")  # matrices that make DOF one compone
 class Structure:
     """All terms of a ``spindle``.
 
-    ``shown``: nodes at which motion is displayed; ``fine``: how fine elements and reduction are;
+    ``shown``: nodes at which motion is displayed; ``fine``: fineness of elements and reduction;
     ``ports``: further places at which forces act or motion is read; ``rigid``: shafts do not bend;
-    ``pressed``: an axial force is given that may come near to buckling; ``coarse``: the same of
-    lower degrees.
+    ``pressed``: an axial force is given that may approach buckling; ``coarse``: at lower degrees.
 
     Raises
     ------
@@ -82,7 +82,7 @@ class Structure:
             for name, ratio in spindle.ratios.items()
         }
         self.sleeves = Sleeves(self.dofs, spindle, fine)
-        self.housings = [Foundation(self.dofs, spindle, each) for each in spindle.housings]
+        self.housings = [Foundation(self.dofs, spindle, housing) for housing in spindle.housings]
         terms = [housing.parts() for housing in self.housings]
         for shaft in self.shafts.values():
             terms += [shaft.parts(), lumped_parts(shaft), joint_parts(shaft)]
@@ -98,10 +98,10 @@ class Structure:
         self._slopes: dict[int, Slopes] = {}
 
     def on_springs_of(self, spindle: Spindle) -> Structure:
-        """The same on springs of the sleeves of a ``spindle`` that differs in these alone; shafts
-        and housings, and what is solved of them, are shared."""
-        if [springs(each) for each in spindle.sleeves] == [
-            springs(each) for each in self.spindle.sleeves
+        """Return the structure with the sleeve springs of a ``spindle`` that differs in these
+        alone; shafts and housings, and what is solved of them, are shared."""
+        if [springs(sleeve) for sleeve in spindle.sleeves] == [
+            springs(sleeve) for sleeve in self.spindle.sleeves
         ]:
             return self
         other = copy(self)
@@ -109,14 +109,12 @@ class Structure:
         other._sleeve_parts = list(other.sleeves.parts())
         other.parts = [*other._sleeve_parts, *self.parts[len(self._sleeve_parts) :]]
         other.sleeve_springs = list(other.sleeves.links())
-        own = [*self.sleeves.dofs.values()]
+        sleeve_dofs = [*self.sleeves.dofs.values()]
         other.components = [
-            replace(
-                each, parts=[p for p in other._sleeve_parts if np.isin(p.rows, each.dofs).all()]
-            )
-            if np.isin(each.dofs, own).all()
-            else each
-            for each in self.components
+            replace(c, parts=[p for p in other._sleeve_parts if np.isin(p.rows, c.dofs).all()])
+            if np.isin(c.dofs, sleeve_dofs).all()
+            else c
+            for c in self.components
         ]
         return other
 
@@ -126,35 +124,38 @@ class Structure:
         return [*self.seats, *self.supports, *self.dampers]
 
     def node(self, rotor: str, x: float) -> Indices:
-        """DOF (6,) of the node of a rotor at station ``x`` [m]."""
+        """Return the DOF (6,) of the node of a rotor at station ``x`` [m]."""
         shaft = self.shafts[rotor]
         return np.asarray(shaft.node[shaft.mesh.node_of(x)])
 
     def _seat_link(self, place: int, seat: BearingSeat) -> Link:
-        dofs, motions = self._against(seat.name, [(SPINDLE, seat.x, 1.0)])
-        for way, number in self.sleeves.under(seat.name).items():
+        dofs, motions = self._relative_motion(seat.name, [(SPINDLE, seat.x, 1.0)])
+        for direction, number in self.sleeves.under(seat.name).items():
             dofs = np.append(dofs, number)
-            motions = np.concatenate([motions, -np.eye(6)[:, [position(way)]]], axis=1)
+            motions = np.concatenate([motions, -np.eye(6)[:, [position(direction)]]], axis=1)
         return Link(seat.name, dofs, motions, seat_matrices(seat, place))
 
     def _support_link(self, support: LinearSupport) -> Link:
         ends = [(support.holds, support.x, 1.0)]
         if support.against != GROUND:
             ends.append((support.against, support.x, -1.0))
-        dofs, motions = self._against(support.name, ends)
+        dofs, motions = self._relative_motion(support.name, ends)
         rigid = tuple(position(direction) for direction in support.rigid)
         return Link(support.name, dofs, motions, matrices_of(support), support.loss_factor, rigid)
 
     def _damper_link(self, damper: SqueezeFilmDamper) -> Link:
-        dofs, motions = self._against(damper.name, [(SPINDLE, damper.x, 1.0)])
+        dofs, motions = self._relative_motion(damper.name, [(SPINDLE, damper.x, 1.0)])
         return Link(damper.name, dofs, motions, film_matrices(damper))
 
-    def _against(self, name: str, ends: list[tuple[str, float, float]]) -> tuple[Indices, Array]:
-        """Motion (6, DOF) of nodes against that of the housing that carries a connection."""
+    def _relative_motion(
+        self, name: str, ends: list[tuple[str, float, float]]
+    ) -> tuple[Indices, Array]:
+        """Return the motion (6, DOF) of nodes relative to the housing that carries a connection."""
         nodes = [self.node(rotor, x) for rotor, x, _ in ends]
         sign = self.dofs.sign
         motions = [
-            way * np.diag(sign[nodes_of]) for nodes_of, (_, _, way) in zip(nodes, ends, strict=True)
+            side * np.diag(sign[nodes_of])
+            for nodes_of, (_, _, side) in zip(nodes, ends, strict=True)
         ]
         for housing in self.housings:
             if name in housing.under:
@@ -163,21 +164,23 @@ class Structure:
         return np.concatenate(nodes), np.concatenate(motions, axis=1)
 
     def _port_dofs(self, places: Iterable[Place]) -> Indices:
-        """DOF of shafts at which links, heavy discs, dampers of joints and users act."""
-        wanted: set[tuple[str, int, str]] = set()
+        """Return the DOF of shafts at which links, heavy discs, dampers of joints and users act."""
+        ports: set[tuple[str, int, str]] = set()
         for rotor, x, names in [*self._loaded(), *((*place, DIRECTIONS) for place in places)]:
             node = self.shafts[rotor].mesh.node_of(x)
-            wanted |= {(rotor, node, n) for name in names for n in (name, PAIRED.get(name, name))}
-        dofs = {int(self.shafts[r].node[node, position(name)]) for r, node, name in wanted}
+            ports |= {(rotor, node, n) for name in names for n in (name, PAIRED.get(name, name))}
+        dofs = {int(self.shafts[r].node[node, position(name)]) for r, node, name in ports}
         for shaft in self.shafts.values():
             for joint in shaft.spindle.joints:
-                if any(getattr(joint, f"{way}_damping") for way in WAYS):
-                    at = shaft.mesh.node_of(joint.x)
-                    dofs |= {number for (node, _), number in shaft.jump.items() if node == at}
+                if any(getattr(joint, f"{kind}_damping") for kind in WAYS):
+                    joint_node = shaft.mesh.node_of(joint.x)
+                    dofs |= {
+                        number for (node, _), number in shaft.jump.items() if node == joint_node
+                    }
         return np.array(sorted(dofs), dtype=np.intp)
 
     def _loaded(self) -> Iterator[tuple[str, float, Iterable[str]]]:
-        """Rotor, station and directions in which the terms act on shafts."""
+        """Yield rotor, station and directions in which the terms act on shafts."""
         seats = [(seat.x, set(DIRECTIONS) - {"thx"}) for seat in self.spindle.seats]
         for x, names in [*seats, *((damper.x, {"y", "z"}) for damper in self.spindle.dampers)]:
             yield SPINDLE, x, names
@@ -198,7 +201,7 @@ class Structure:
 
     @cached_property
     def components(self) -> list[Component]:
-        """Joined by constant matrices, in the order of their first line."""
+        """Lines joined by constant matrices, in the order of their first one."""
         lines, of_dof = self.dofs.lines, self.dofs.line
         joining = np.zeros((len(lines), len(lines)), dtype=bool)
         square = [part for part in self.parts if part.matrix != "gyroscopic" and part.rows.size]
@@ -213,16 +216,18 @@ class Structure:
             for root in set(roots.tolist()):
                 parts[root].append(_cut(part, roots == root))
         components, solved = list[Component](), Solved()
-        for root, mine in parts.items():
-            joined = tuple(line for line, of in zip(lines, root_of, strict=True) if of == root)
+        for root, parts_of in parts.items():
+            joined = tuple(
+                line for line, first in zip(lines, root_of, strict=True) if first == root
+            )
             dofs = np.flatnonzero(root_of[of_dof] == root)
             if len(dofs):
-                components.append(self._component(joined, dofs, mine, solved))
+                components.append(self._component(joined, dofs, parts_of, solved))
         return components
 
     @cached_property
     def owner(self) -> Indices:
-        """Place among the components of every DOF."""
+        """Index of the component of every DOF."""
         owner = np.zeros(self.dofs.count, dtype=np.intp)
         for k, component in enumerate(self.components):
             owner[component.dofs] = k
@@ -235,20 +240,20 @@ class Structure:
         parts: list[Part],
         solved: Solved,
     ) -> Component:
-        shaft, mine = self.shafts.get(lines[0].body), np.zeros(self.dofs.count, dtype=bool)
-        mine[dofs] = True
+        shaft, included = self.shafts.get(lines[0].body), np.zeros(self.dofs.count, dtype=bool)
+        included[dofs] = True
         return Component(
             lines=lines,
             dofs=dofs,
             parts=parts,
             rigid=[] if shaft is None else list(shaft.rigid(lines[0].way)),
-            ports=self._ports[mine[self._ports]],
+            ports=self._ports[included[self._ports]],
             spindle=None if shaft is None else shaft.spindle,
             cutoff=0.0 if self.rigid else self.fine.cutoff,
             bends=lines[0].kind == "bending",
             solved=solved,
             ratio=1.0 if shaft is None else shaft.ratio,
-            polar=self._polar(mine, lines[0].way) if self.fine.gyroscopic else [],
+            polar=self._polar(included, lines[0].way) if self.fine.gyroscopic else [],
             band=self.fine.slow,
             inertial=self.fine.finer > 0 and not self._nearly_free,
             pressed=self._pressed(lines[0]),
@@ -257,21 +262,23 @@ class Structure:
 
     @cached_property
     def _nearly_free(self) -> bool:
-        """Whether a support is meant as none: rounding of more static modes hides slow modes."""
-        given = (value for each in self.spindle.supports for value in each.stiffness.values())
-        sizes = (np.abs(np.asarray(value, float)) for value in given)
+        """True if a support is meant as none: rounding of more static modes hides slow modes."""
+        values = (
+            value for support in self.spindle.supports for value in support.stiffness.values()
+        )
+        sizes = (np.abs(np.asarray(value, float)) for value in values)
         return any(((size > 0.0) & (size < SOFT[0])).any() for size in sizes)
 
     def _coarser(self, lines: tuple[Line, ...]) -> Coarse | None:
-        """The component of the same lines of the coarser model, where that is a shaft's line."""
+        """Return the component of the same lines in the coarser model, for a line of a shaft."""
         body, way = lines[0]
         if self.coarse is None or body not in self.shafts or len(lines) > 1:
             return None
-        component = next(each for each in self.coarse.components if each.lines == lines)
+        component = next(c for c in self.coarse.components if c.lines == lines)
         return Coarse(component, *self.shafts[body].nested(self.coarse.shafts[body], way))
 
     def _pressed(self, line: Line) -> tuple[int, list[Rows]] | None:
-        """Slopes of a plane of the spindle's shaft, where a drawbar presses it or ``pressed``."""
+        """Return slopes in a plane of the spindle's shaft under a drawbar or if ``pressed``."""
         bar = self.spindle.drawbar
         barred = bar is not None and bool(bar.contacts)
         if line.body != SPINDLE or line.kind != "bending" or not (barred or self.pressed):
@@ -285,19 +292,19 @@ class Structure:
             (at, dofs, shapes * inside[at][:, :, None]) for at, dofs, shapes in rows
         ]
 
-    def _polar(self, mine: np.ndarray, way: str) -> list[Part]:
-        """Gyroscopic parts that act on a bending plane, both sides of them in that plane."""
+    def _polar(self, included: np.ndarray, way: str) -> list[Part]:
+        """Return gyroscopic parts that act on a bending plane, both sides of them in that plane."""
         parts = []
         for part in self.parts:
             if part.matrix == "gyroscopic" and part.rows.size:
                 rows = part.rows if way == "y" else part.columns
-                if mine[rows[0, 0]]:
+                if included[rows[0, 0]]:
                     parts.append(Part("gyroscopic", rows, rows, part.blocks))
         return parts
 
     def gyroscopic(self, y: Component, z: Component) -> Array:
-        """Couples the velocities of plane z to plane y of a rotor (m, m), per unit of the spindle's
-        speed."""
+        """Return the coupling of velocities of plane z to plane y of a rotor (m, m), per unit of
+        the spindle's speed."""
         key = id(y), id(z)
         if key not in self._gyroscopic:
             parts = [
@@ -310,7 +317,7 @@ class Structure:
         return self._gyroscopic[key]
 
     def slopes(self, component: Component) -> Slopes:
-        """Weighted slopes of a bending plane of the spindle's shaft."""
+        """Return weighted slopes in a bending plane of the spindle's shaft."""
         key = id(component.vectors)  # one of both planes where they have one reduction
         if key not in self._slopes:
             rows, element = slope_rows(self.shafts[SPINDLE], self.shown, component.way)
@@ -318,22 +325,22 @@ class Structure:
         return self._slopes[key]
 
     def motion(self, line: Line, component: Component) -> Array:
-        """Displacements of the nodes shown of a shaft by the coordinates of one of its components
-        (nodes, 6, m), along one line of it."""
+        """Return displacements of the shown nodes of a shaft by the coordinates of one of its
+        components (nodes, 6, m), along one line of it."""
         shaft, x = self.shafts[line.body], self.shown.of_rotors[line.body].x
-        whole = np.zeros((len(x), 6, component.size))
+        motion = np.zeros((len(x), 6, component.size))
         if line.way in PLANES:
             names, signs = PLANES[line.way]
             both = component.displaced(2 * len(x), shaft.bent(line.way, x))
             for place, (name, sign) in enumerate(zip(names, signs, strict=True)):
-                whole[:, position(name)] = sign * both[place::2]
+                motion[:, position(name)] = sign * both[place::2]
         else:
-            whole[:, position(line.way)] = component.displaced(len(x), shaft.moved(line.way, x))
-        return whole
+            motion[:, position(line.way)] = component.displaced(len(x), shaft.moved(line.way, x))
+        return motion
 
 
 def _cut(part: Part, kept: np.ndarray) -> Part:
-    """Of a part on rows = columns what is on some of its DOF (r,)."""
+    """Return a part on rows = columns reduced to some of its DOF (r,)."""
     if kept.all():
         return part
     return Part(

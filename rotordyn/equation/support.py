@@ -15,14 +15,14 @@ from rotordyn.equation.term import AtState, LinkMatrices, State
 from rotordyn.machine.matrix import Value
 from rotordyn.machine.support import LinearSupport
 
-ALIKE = 1e-9  # of an entry: below that its difference between the planes is rounding
+ALIKE = 1e-9  # of an entry: a smaller difference between the planes is rounding
 _QUARTER_TURN = np.zeros((6, 6))
 for _row, _column, _sign in ((0, 0, 1), (1, 2, -1), (2, 1, 1), (3, 3, 1), (4, 5, -1), (5, 4, 1)):
     _QUARTER_TURN[_row, _column] = _sign
 
 
 def matrices_of(support: LinearSupport) -> AtState:
-    """Stiffness and damping over the six directions (s or 1, 6, 6).
+    """Return stiffness and damping over the six directions (s or 1, 6, 6).
 
     Raises
     ------
@@ -40,7 +40,7 @@ def matrices_of(support: LinearSupport) -> AtState:
 
 
 def node_matrix(entries: Mapping[tuple[str, str], Value]) -> Array:
-    """Matrix (6, 6) of a linear support's entries by pair of directions; nothing is symmetrised.
+    """Return the matrix (6, 6) of a linear support's entries by pair of directions, as given.
 
     Raises
     ------
@@ -53,24 +53,24 @@ def node_matrix(entries: Mapping[tuple[str, str], Value]) -> Array:
 
 
 def support_matrices(support: LinearSupport, which: str, speed: Array) -> Array:
-    """``"stiffness"`` or ``"damping"`` of a support at every ``speed`` [rad/s], (speeds, 6, 6).
+    """Return ``"stiffness"`` or ``"damping"`` (speeds, 6, 6) of a support at ``speed`` [rad/s].
 
     Raises
     ------
     InvalidInput : its table does not reach one of the speeds
     """
     if not support.speeds:
-        one = node_matrix(getattr(support, which))
-        return np.broadcast_to(one, (len(speed), 6, 6))
-    held = [node_matrix(getattr(support.at(float(each)), which)) for each in speed]
-    return np.array(held).reshape(-1, 6, 6)
+        matrix = node_matrix(getattr(support, which))
+        return np.broadcast_to(matrix, (len(speed), 6, 6))
+    matrices = [node_matrix(getattr(support.at(float(omega)), which)) for omega in speed]
+    return np.array(matrices).reshape(-1, 6, 6)
 
 
 def answers_alike(matrix: Array) -> bool:
-    """True where a node's (…, 6, 6) matrix is the same in all directions about the axis.
+    """True if a node's (…, 6, 6) matrix is the same in all directions about the axis.
 
     It must not change under a quarter turn about x: y → z, z → −y, and tilts likewise.
     """
-    turned = _QUARTER_TURN @ matrix @ _QUARTER_TURN.T
-    size = np.maximum(np.abs(matrix), np.abs(turned))
-    return bool((np.abs(matrix - turned) <= ALIKE * size).all())
+    rotated = _QUARTER_TURN @ matrix @ _QUARTER_TURN.T
+    size = np.maximum(np.abs(matrix), np.abs(rotated))
+    return bool((np.abs(matrix - rotated) <= ALIKE * size).all())

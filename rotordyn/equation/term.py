@@ -1,4 +1,4 @@
-"""What a term of the equation of motion gives.
+"""Contract of a term of the equation of motion.
 
     M q̈ + (C + Ω G) q̇ + (K + Ω N − Ω² S) q = f
 
@@ -36,9 +36,9 @@ class Part(NamedTuple):
 
 
 class State(NamedTuple):
-    """What links follow: ``speed`` (s,) [rad/s]; ``tangents`` (s, seats, 6, 6) of the bearings in
-    the spindle's frame; sleeves that stand at ``stops``, or by friction (s, sleeves). ``standing``:
-    loads stand still. ``whirl``: speed of the whirl in squeeze films over that of the spindle."""
+    """State for links: ``speed`` (s,) [rad/s]; ``tangents`` (s, seats, 6, 6) of the bearings in the
+    spindle's frame; sleeves at ``stops``, or held by friction (s, sleeves). ``standing``: loads are
+    static. ``whirl``: speed of the whirl in squeeze films over that of the spindle."""
 
     speed: Array
     tangents: Array
@@ -62,7 +62,7 @@ class Link:
     """Springs and dampers over k relative motions d = ``motions`` (k, DOF) q[``dofs``].
 
     ``matrices``: at the states of a machine. ``loss_factor`` [-]: of the stiffness. ``rigid``:
-    places of the motions that are zero, whatever acts (``constraint``).
+    indices of the motions that are zero, whatever acts (``constraint``).
     """
 
     name: str

@@ -1,4 +1,4 @@
-"""Which modes and critical speeds are wanted."""
+"""Range of modes and critical speeds to compute."""
 
 from __future__ import annotations
 
@@ -14,5 +14,5 @@ class Band(NamedTuple):
 
     @property
     def highest(self) -> float:
-        """The highest angular frequency [rad/s]."""
+        """Highest angular frequency [rad/s]."""
         return 2.0 * math.pi * self.max_frequency

@@ -1,8 +1,7 @@
 """Modes over speed: those of every subsystem, each followed by its shape.
 
-A mode of motions that something couples is named after the one with the largest share of its
-kinetic energy, on the mean of all speeds: of two modes that veer, what each is over most of the
-range.
+A mode of coupled motions is named after the one with the largest share of its kinetic energy, on
+the mean of all speeds: of two modes that veer, what each is over most of the range.
 """
 
 from __future__ import annotations
@@ -29,11 +28,11 @@ from rotordyn.scene.scene import Scene
 
 MOTIONS = ("bending", "axial", "torsion")
 MARGIN = 1.5  # modes up to this multiple of the highest frequency are followed
-WITHIN = 1.1  # doubts about modes above this multiple are left
+WITHIN = 1.1  # doubts about modes above this multiple are ignored
 ROUNDS, MOST_STEPS = 12, 400  # of further speeds; of speeds in all
 MOST_BREAKPOINTS = 200  # of tables of supports, beyond which only every second (third …) is taken
 NARROWEST = 1e-7  # of the range of speeds: no finer steps
-FARTHEST = 0.3  # of a pole: a larger change over a step is not believed
+FARTHEST = 0.3  # of a pole: a larger predicted change over a step is ignored
 MODES_ALONG = {
     "pole": 1,
     "vector": 2,
@@ -47,8 +46,8 @@ PLANAR = 1e-6  # whirl degree below which a motion is straight
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Track:
-    """One mode at every ``speed`` (s,) [rad/s] at which it was solved for, those between the speeds
-    of the case included; ``pole`` (s,) is NaN where it is ``lost``; ``vector`` (s, n)."""
+    """One mode at every ``speed`` (s,) [rad/s] at which it was solved for, with those between the
+    speeds of the case; ``pole`` (s,) is NaN where it is ``lost``; ``vector`` (s, n)."""
 
     speed: Array
     pole: Complex
@@ -56,7 +55,7 @@ class Track:
 
     @property
     def lost(self) -> Flags:
-        """(s,)"""
+        """Speeds at which the mode is lost (s,)."""
         return np.isnan(self.pole)
 
 
@@ -66,8 +65,8 @@ class Branch:
     the subsystem of this number (−1: lost).
 
     ``degree``: share of the kinetic energy in forward circular motion less that in backward.
-    ``vector`` (speeds, n): its displacements in the coordinates of its subsystem; where its pole
-    is that of others too, turned as at the nearest speed where it is not (``as_beside``).
+    ``vector`` (speeds, n): its displacements in the coordinates of its subsystem; where its pole is
+    also that of others, combined as at the nearest speed where it is not (``as_beside``).
     ``track``: at more speeds. ``side``: +1 or −1 of whirl where planes are one, else 0.
     """
 
@@ -86,7 +85,7 @@ class Branch:
         return np.abs(self.pole.imag) / (2.0 * math.pi)
 
     def frequency_in_frame(self, speed: Array) -> Array:
-        """Angular frequency (speeds,) [rad/s] in a frame that turns at ``speed`` (speeds,)."""
+        """Return the angular frequency [rad/s] in a frame that rotates at ``speed`` (speeds,)."""
         omega = np.abs(self.pole.imag)
         if self.kind != "bending":
             return omega
@@ -99,33 +98,33 @@ class Branch:
 
     @property
     def overdamped(self) -> bool:
-        """It hardly swings at most speeds."""
+        """True if it hardly oscillates at most speeds."""
         return bool(is_overdamped((-self.pole.real / np.abs(self.pole))[:, None])[0])
 
     @property
     def born(self) -> int:
-        """First speed at which it is there."""
+        """Index of the first speed at which it exists."""
         return int((self.column >= 0).argmax())
 
 
 def branches_of(scene: Scene, band: Band, motions: Sequence[str] = MOTIONS) -> list[Branch]:
-    """Modes of the subsystems of ``motions`` that come below ``band.max_frequency``."""
+    """Return modes of the subsystems of ``motions`` that come below ``band.max_frequency``."""
     branches = [b for k in scene.with_motions(motions) for b in _followed(scene, band, k)]
     return [b for b in branches if np.nanmin(np.abs(b.track.pole.imag)) <= band.highest]
 
 
 def _followed(scene: Scene, band: Band, subsystem: int) -> list[Branch]:
-    """Branches of a subsystem. Where it is not clear between two speeds who is who, the machine is
-    solved at further ones."""
+    """Return branches of a subsystem. Where modes are not clearly identified between two speeds,
+    the machine is solved at further ones."""
     sweep = _Sweep.of(scene, subsystem, band)
     breakpoints = breakpoints_between(scene) if "bending" in scene.name_of(subsystem) else ()
     if len(breakpoints):
         sweep = sweep.refined(scene, subsystem, band, list(breakpoints))
     for _ in range(0 if sweep.constant else ROUNDS):
-        wanted = sweep.doubts(band)
-        if not wanted or len(sweep.speed) > MOST_STEPS:
+        further = sweep.doubts(band)
+        if not further or len(sweep.speed) > MOST_STEPS:
             break
-        finer = sweep.refined(scene, subsystem, band, wanted)
+        finer = sweep.refined(scene, subsystem, band, further)
         if len(finer.speed) == len(sweep.speed):
             break
         sweep = finer
@@ -145,7 +144,7 @@ class _Sweep:
     ``pole`` (s, k), ``vector`` (s, n, k), ``left`` (s, k, n), those that are ``followed`` (s, k),
     ``whirl`` (s, k) where planes are one, as they may be at some speeds; NaN where a speed has
     fewer. ``stiffness`` and ``damping`` (s, n, n). ``given`` (s,): the case names the speed.
-    ``constant``: all speeds are the same.
+    ``constant``: all speeds have the same modes.
     """
 
     speed: Array
@@ -161,7 +160,7 @@ class _Sweep:
 
     @classmethod
     def of(cls, scene: Scene, subsystem: int, band: Band, *, given: bool = True) -> _Sweep:
-        """At the usable speeds of a scene."""
+        """Return the sweep over the usable speeds of a scene."""
         motions, speed = scene.system(subsystem), scene.speed[scene.usable]
         return cls(
             speed,
@@ -177,17 +176,17 @@ class _Sweep:
         )
 
     def refined(self, scene: Scene, subsystem: int, band: Band, speed: list[float]) -> _Sweep:
-        """With more speeds, where they have a solution."""
+        """Return the sweep with more speeds, where they have a solution."""
         other = scene.at(np.setdiff1d(speed, self.speed))
         if not len(other.speed) or all(other.outcome):
             return self
-        more = _Sweep.of(other, subsystem, band, given=False)
-        order = np.argsort(np.concatenate([self.speed, more.speed]), kind="stable")
-        columns = max(self.pole.shape[1], more.pole.shape[1])
+        added = _Sweep.of(other, subsystem, band, given=False)
+        order = np.argsort(np.concatenate([self.speed, added.speed]), kind="stable")
+        columns = max(self.pole.shape[1], added.pole.shape[1])
 
         joined = {}
         for name in (field.name for field in fields(self) if field.name != "constant"):
-            parts = [getattr(each, name) for each in (self, more)]
+            parts = [getattr(sweep, name) for sweep in (self, added)]
             if name in MODES_ALONG:
                 parts = [_filled(part, columns, MODES_ALONG[name]) for part in parts]
             joined[name] = np.concatenate(parts)[order]
@@ -195,36 +194,36 @@ class _Sweep:
 
     @cached_property
     def sides(self) -> dict[float, tuple[Indices, Steps]]:
-        """Followed modes by the side to which they whirl, 0 of all unless planes are one at every
-        speed: columns (s, k) by ascending frequency, those of other modes last where a speed has
-        fewer, and the steps that they make."""
+        """Followed modes by direction of whirl, 0 of all unless planes are one at every speed:
+        columns (s, k) by ascending frequency, those of other modes last where a speed has fewer,
+        and the steps that they make."""
         if not (self.whirl != 0.0).any(axis=1).all():
             return {0.0: self._chosen(self.followed)}
         return {side: self._chosen(self.followed & (self.whirl == side)) for side in (-1.0, 1.0)}
 
     def _chosen(self, wanted: Flags) -> tuple[Indices, Steps]:
-        """The same of the modes ``wanted`` (s, k)."""
-        many = wanted.sum(axis=1, keepdims=True)
+        """Return columns and steps of the modes ``wanted`` (s, k)."""
+        count = wanted.sum(axis=1, keepdims=True)
         order = np.where(wanted, self.pole.imag, np.inf).argsort(axis=1, kind="stable")
-        columns = order[:, : int(many.max(initial=0))]
-        there = np.arange(columns.shape[1]) < many
+        columns = order[:, : int(count.max(initial=0))]
+        present = np.arange(columns.shape[1]) < count
         vectors = np.take_along_axis(self.vector, columns[:, None], axis=2)
-        poles = np.where(there, np.take_along_axis(self.pole, columns, axis=1), NO_POLE)
-        steps = Steps(np.where(there[:, None], vectors, 0.0), poles)
+        poles = np.where(present, np.take_along_axis(self.pole, columns, axis=1), NO_POLE)
+        steps = Steps(np.where(present[:, None], vectors, 0.0), poles)
         return columns, steps
 
     def doubts(self, band: Band) -> list[float]:
-        """Speeds that would tell who is who."""
+        """Return speeds that would identify modes."""
         narrowest = NARROWEST * float(np.ptp(self.speed))
         within = WITHIN * band.highest
-        each = [doubts(self.speed, steps, within, narrowest) for _, steps in self.sides.values()]
-        return [speed for speeds in each for speed in speeds]
+        parts = [doubts(self.speed, steps, within, narrowest) for _, steps in self.sides.values()]
+        return [speed for speeds in parts for speed in speeds]
 
     def branches(
         self, linear: Linear, subsystem: int, side: float, expected: Complex
     ) -> list[Branch]:
-        """Those that whirl to ``side``, at the speeds of the case; poles ``expected`` (s, k) at the
-        next speed."""
+        """Return branches that whirl to ``side``, at the speeds of the case; poles ``expected``
+        (s, k) at the next speed."""
         columns, steps = self.sides[side]
         if self.constant:
             path = np.tile(np.arange(columns.shape[1]), (len(columns), 1))
@@ -235,33 +234,32 @@ class _Sweep:
         return self._branches(linear, subsystem, side, column)
 
     def ahead(self, ceiling: float) -> Complex:
-        """Poles (s, k) to be expected of each at the next speed: λ − w (λ ΔC + ΔK) v. Columns whose
-        poles are all beyond ``ceiling`` [rad/s], and the last speed, are expected where they are.
-        """
-        expected, some = self.pole.copy(), (np.abs(self.pole.imag) < ceiling).any(axis=0)
-        here = self.pole[:-1, some]
-        vector, left = self.vector[:-1, :, some], self.left[:-1, some]
+        """Return poles (s, k) expected at the next speed: λ − w (λ ΔC + ΔK) v. Columns whose poles
+        are all beyond ``ceiling`` [rad/s], and the last speed, keep theirs."""
+        expected, columns = self.pole.copy(), (np.abs(self.pole.imag) < ceiling).any(axis=0)
+        pole = self.pole[:-1, columns]
+        vector, left = self.vector[:-1, :, columns], self.left[:-1, columns]
         damped = times(np.diff(self.damping, axis=0), vector)
         with np.errstate(invalid="ignore", over="ignore"):
-            change = here[:, None] * damped + times(np.diff(self.stiffness, axis=0), vector)
+            change = pole[:, None] * damped + times(np.diff(self.stiffness, axis=0), vector)
             move = np.einsum("skn,snk->sk", left, change)
-            known = np.abs(move) < FARTHEST * np.abs(here)
-        expected[:-1, some] = np.where(known, here - move, here)
+            small = np.abs(move) < FARTHEST * np.abs(pole)
+        expected[:-1, columns] = np.where(small, pole - move, pole)
         return expected
 
     def _branches(
         self, linear: Linear, subsystem: int, side: float, column: Indices
     ) -> list[Branch]:
-        """Paths by their ``column`` at every speed (s, k); −1 where they are lost."""
+        """Return branches by their ``column`` at every speed (s, k); −1 where they are lost."""
         lost, given = column < 0, self.given
         pole = np.take_along_axis(self.pole, column, axis=1)
         pole[lost] = NO_POLE
         vector = np.take_along_axis(self.vector, column[:, None], axis=2)
         vector = as_beside(self.speed, pole, vector)
-        kinds, here = _kinds(linear, vector, ~lost), vector[given]
+        kinds, at_given = _kinds(linear, vector, ~lost), vector[given]
         degree = np.zeros(column[given].shape)
         if bending := [k for k, kind in enumerate(kinds) if kind == "bending"]:
-            degree[:, bending] = whirl_degree(linear, here[..., bending])
+            degree[:, bending] = whirl_degree(linear, at_given[..., bending])
         degree[lost[given]] = np.nan
         return [
             Branch(
@@ -270,7 +268,7 @@ class _Sweep:
                 pole[given, k],
                 degree[:, k],
                 column[given, k],
-                here[..., k],
+                at_given[..., k],
                 Track(self.speed, pole[:, k], vector[..., k]),
                 side,
             )
@@ -279,16 +277,16 @@ class _Sweep:
 
 
 def _filled(values: NDArray[Any], columns: int, axis: int) -> NDArray[Any]:
-    """Values with so many columns along an axis: of modes that are none."""
-    short = [(0, 0)] * values.ndim
-    short[axis] = 0, columns - values.shape[axis]
-    none: Any = complex(np.nan, np.nan) if np.iscomplexobj(values) else np.nan
-    return np.pad(values, short, constant_values=False if values.dtype == bool else none)
+    """Return values padded to ``columns`` along an axis, with those of absent modes."""
+    padding = [(0, 0)] * values.ndim
+    padding[axis] = 0, columns - values.shape[axis]
+    absent: Any = complex(np.nan, np.nan) if np.iscomplexobj(values) else np.nan
+    return np.pad(values, padding, constant_values=False if values.dtype == bool else absent)
 
 
 def _kinds(linear: Linear, vector: Complex, there: Flags) -> list[str]:
-    """Of modes (s, n, k) the motion with the largest share of the kinetic energy, at the speeds
-    where they are ``there`` (s, k)."""
+    """Return the motion with the largest share of the kinetic energy of modes (s, n, k), at the
+    speeds where they are ``there`` (s, k)."""
     names = sorted(linear.kinds)
     if len(names) == 1:
         return names * there.shape[1]
@@ -299,26 +297,26 @@ def _kinds(linear: Linear, vector: Complex, there: Flags) -> list[str]:
 
 
 def breakpoints_between(scene: Scene) -> Array:
-    """Speeds [rad/s] of tables of supports between those of the case, where lines bend."""
+    """Return speeds [rad/s] of support tables between those of the case, where lines bend."""
     speed = scene.speed[scene.usable]
-    every = np.array([at for support in scene.spindle.supports for at in support.speeds])
-    inside = np.unique(every[(every > speed[0]) & (every < speed[-1])] if len(every) else every)
+    table = np.array([at for support in scene.spindle.supports for at in support.speeds])
+    inside = np.unique(table[(table > speed[0]) & (table < speed[-1])] if len(table) else table)
     return inside[:: 1 + len(inside) // MOST_BREAKPOINTS]
 
 
 def whirl_degree(linear: Linear, vector: Complex) -> Array:
-    """Forward less backward share (s, …) of motions (s, n, …) of a subsystem in both planes."""
+    """Return forward less backward share (s, …) of motions (s, n, …) in both planes."""
     y, z = linear.planes
     return circular_share(vector[:, y], vector[:, z])
 
 
 def circular_share(y: Complex, z: Complex) -> Array:
-    """Of motions (s, n, …) in plane y and in plane z."""
+    """Return forward less backward share of motions (s, n, …) in plane y and plane z."""
     forward, backward = np.abs(y + 1j * z) ** 2, np.abs(y - 1j * z) ** 2
     return np.asarray((forward - backward).sum(axis=1) / (forward + backward).sum(axis=1))
 
 
 def found_in(motions: FreeMotions, ceiling: float) -> Flags:
-    """Motions (s, k) that swing below ``ceiling`` [rad/s] and are held."""
+    """Return which motions (s, k) oscillate below ``ceiling`` [rad/s] and are not free."""
     with np.errstate(invalid="ignore"):
         return np.asarray(swings(motions.pole) & (motions.pole.imag < ceiling) & ~motions.at_rest)

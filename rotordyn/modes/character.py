@@ -1,4 +1,4 @@
-"""What a mode is: how much of it a rigid shaft could do, which way it whirls along the shaft."""
+"""Character of a mode: its share of rigid-body motion, its direction of whirl along the shaft."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ from rotordyn.equation.linear import Linear
 from rotordyn.modes.branches import PLANAR, Branch, circular_share
 
 MOSTLY = 0.5  # of the kinetic energy
-ACROSS = 1e-3  # of the kinetic energy: a mode that has less across the axis has none there
-FELT = 1e-3  # of the largest deflection squared: where less moves, no direction is seen
+ACROSS = 1e-3  # of the kinetic energy: a mode with less across the axis has none there
+FELT = 1e-3  # of the largest deflection squared: a node with less has no direction of whirl
 
 
 def rigid_share(linear: Linear, branch: Branch) -> Array:
-    """Share of the kinetic energy of a mode (speeds,) in motions of rigid rotors, NaN if lost."""
+    """Return the share of kinetic energy (speeds,) in motions of rigid rotors, NaN if lost."""
     squares = np.abs(branch.vector) ** 2
     share = squares[:, linear.rigid].sum(axis=1) / squares.sum(axis=1)
     return np.where(branch.column < 0, np.nan, share)
 
 
 def across(linear: Linear, vector: Complex) -> bool:
-    """Whether a mode ``vector`` (…, n) of shafts bends them, too, at any of its speeds."""
+    """Return whether a mode ``vector`` (…, n) of shafts bends them, too, at any of its speeds."""
     squares = np.abs(vector) ** 2
     bent = squares[..., linear.energy_of("bending")].sum(axis=-1)
     return bool((bent > ACROSS * squares.sum(axis=-1)).any())
@@ -33,23 +33,23 @@ def across(linear: Linear, vector: Complex) -> bool:
 def characters(
     linears: Sequence[Linear], branches: Sequence[Branch], shares: Sequence[Array]
 ) -> tuple[str, ...]:
-    """The kinds of modes, each in the system of ``linears``, and whether they are rather rigid-body
-    motions, over all speeds: those of the highest shares, no more than rigid shafts have."""
+    """Return the kinds of modes, each in the system of ``linears``, and whether they are rigid-body
+    motions over all speeds: those of the highest shares, no more than rigid shafts have."""
     mean = np.array([np.nanmean(share) for share in shares])
-    words = [branch.kind for branch in branches]
-    left: dict[tuple[int, str], int] = {}
+    kinds = [branch.kind for branch in branches]
+    remaining: dict[tuple[int, str], int] = {}
     for k in np.argsort(-mean, kind="stable"):
-        own, linear = (branches[k].subsystem, words[k]), linears[k]
-        left.setdefault(own, int((linear.rigid & linear.energy_of(words[k])).sum()))
-        if mean[k] > MOSTLY and left[own] > 0:
-            left[own] -= 1
-            words[k] = f"rigid-body {words[k]}"
-    return tuple(words)
+        key, linear = (branches[k].subsystem, kinds[k]), linears[k]
+        remaining.setdefault(key, int((linear.rigid & linear.energy_of(kinds[k])).sum()))
+        if mean[k] > MOSTLY and remaining[key] > 0:
+            remaining[key] -= 1
+            kinds[k] = f"rigid-body {kinds[k]}"
+    return tuple(kinds)
 
 
 def whirl_along(linear: Linear, vector: Complex, degree: float) -> str:
-    """``"forward"``, ``"backward"``, ``"planar"`` or ``"mixed"`` for a bending mode ``vector``
-    (n,): mixed where some nodes go round one way and others the other."""
+    """Return ``"forward"``, ``"backward"``, ``"planar"`` or ``"mixed"`` for a bending mode
+    ``vector`` (n,): mixed where some nodes whirl forward and others backward."""
     if abs(degree) < PLANAR:
         return "planar"
     forward = "forward" if degree > 0.0 else "backward"
@@ -57,6 +57,6 @@ def whirl_along(linear: Linear, vector: Complex, degree: float) -> str:
         return forward
     y, z = (linear.motion[:, position(name)] @ vector for name in ("y", "z"))
     size = np.abs(y) ** 2 + np.abs(z) ** 2
-    felt = size > FELT * size.max()
-    turn = circular_share(y[felt, None], z[felt, None])
-    return "mixed" if turn.min() < -PLANAR and turn.max() > PLANAR else forward
+    moving = size > FELT * size.max()
+    degrees = circular_share(y[moving, None], z[moving, None])
+    return "mixed" if degrees.min() < -PLANAR and degrees.max() > PLANAR else forward

@@ -1,13 +1,13 @@
-"""Critical speeds: where a mode turns at a multiple of a rotor's speed, each solved for.
+"""Critical speeds, at which a mode whirls at a multiple of a rotor's speed, each solved for.
 
-Two ways lead to them. Where but the gyroscopic effect only the tables of supports depend on speed,
-those between two breakpoints are the eigenvalues of one problem (``synchronous``), for any speeds
-of the case. Where bearings change with speed, and for axial motion and torsion, the lines of the
-followed modes say between which speeds they are. Either way the machine is then solved anew at the
-speed found, damping and all, until the mode turns at the multiple of it to rounding.
+There are two methods. Where only the gyroscopic effect and tables of supports depend on speed,
+critical speeds between two breakpoints are the eigenvalues of one problem (``synchronous``), for
+any speeds of the case. Where bearings change with speed, and for axial motion and torsion, lines of
+followed modes show between which speeds they are. In either case the machine is then solved anew at
+that speed, with damping, until the frequency of the mode is the multiple to rounding.
 
-Reported are those in the band in which modes are followed, each by the followed mode that is like
-it and has its frequency there.
+Reported are those in the band in which modes are followed, each by the followed mode that has its
+shape and its frequency there.
 """
 
 from __future__ import annotations
@@ -39,19 +39,19 @@ from rotordyn.numerics.synchronous import synchronous
 from rotordyn.scene.formulation import SOFTENED
 from rotordyn.scene.scene import Scene
 
-SLOWEST = 1e-9  # [rad/s]: lines so slow are not asked for crossings
+SLOWEST = 1e-9  # [rad/s]: slower lines are not searched for crossings
 BEYOND = 1.2  # times the highest frequency of lines: up to there modes are followed
-NARROW = 0.01  # of the range of speeds: pieces of tables shorter than that
-APART = 1e-9  # [rad/s]: speeds closer than that are one
+NARROW = 0.01  # of the range of speeds: shorter pieces of tables are not solved directly
+APART = 1e-9  # [rad/s]: closer speeds are one
 SAME, ALIKE = 1e-7, 0.5  # of the speed, MAC: one root found twice
 RESONANT = math.sqrt(0.5)  # damping ratio above which no response has a peak
-FITS = 0.1  # of a frequency: farther from those of a mode at the speeds around, it is none of it
+FITS = 0.1  # of a frequency: a root farther from those of a mode at adjacent speeds is another
 ROUNDING = 1e-9  # of the highest frequency
 
 
 @dataclass(frozen=True, slots=True)
 class Critical:
-    """A mode that turns, at the ``speed`` of the spindle [rad/s], on a ``line``."""
+    """A mode that has the frequency of a ``line`` at the ``speed`` of the spindle [rad/s]."""
 
     mode: str
     speed: float
@@ -65,8 +65,8 @@ class Critical:
 def criticals_up_to(
     scene: Scene, size: float, orders: Iterable[float] = (1.0,), motions: Sequence[str] = MOTIONS
 ) -> list[Critical]:
-    """Critical speeds of engine ``orders``, on lines of up to ``size`` times the frequency of
-    rotation of the spindle; none where it has one speed alone."""
+    """Return critical speeds of engine ``orders``, on lines of up to ``size`` times the frequency
+    of rotation of the spindle; none where it has one speed alone."""
     top = size * float(scene.speed[-1])
     if len(scene.usable) < 2 or top < SLOWEST:
         return []
@@ -77,34 +77,36 @@ def criticals_up_to(
 def critical_speeds(
     scene: Scene, band: Band, branches: Sequence[Branch], names: Sequence[str]
 ) -> list[Critical]:
-    """Of all ``engine_orders`` of every rotor between the speeds of the case, up to
-    ``band.max_frequency``, ascending by rotor, order and speed."""
+    """Return critical speeds of all ``engine_orders`` of every rotor between the speeds of the
+    case, up to ``band.max_frequency``, ascending by rotor, order and speed."""
     lines = exciting(scene.spindle.ratios, band.engine_orders)
-    bent = {branch.subsystem for branch in branches if branch.kind == "bending"}
+    bending = {branch.subsystem for branch in branches if branch.kind == "bending"}
     starts = [start for line in lines for start in _crossed(branches, line)]
-    starts += [start for line in lines for k in bent for start in _direct(scene, branches, k, line)]
+    starts += [
+        start for line in lines for k in bending for start in _direct(scene, branches, k, line)
+    ]
     starts = [s for s in starts if s.line.size * s.speed <= MARGIN * band.highest]
     crossings, criticals = list[tuple[Start, float, State]](), list[Critical]()
     for start, speed, state in solved(scene, branches, starts):
-        swings = -state.pole.real <= RESONANT * abs(state.pole)
+        oscillates = -state.pole.real <= RESONANT * abs(state.pole)
         within = abs(state.pole.imag) <= (1.0 + ROUNDING) * band.highest
-        known = any(_same(start, speed, state, other) for other in crossings)
-        if known or not (swings and within):
+        repeated = any(_same(start, speed, state, other) for other in crossings)
+        if repeated or not (oscillates and within):
             continue
         crossings.append((start, speed, state))
-        begun = branches[start.branch]
-        place = _owner(branches, begun.subsystem, speed, state)
-        owner = None if place is None else branches[place]
+        branch = branches[start.branch]
+        index = _owner(branches, branch.subsystem, speed, state)
+        owner = None if index is None else branches[index]
         if owner is not None and owner.overdamped:
             continue
-        name = f"{begun.kind}, not followed" if place is None else names[place]
-        kind = (owner or begun).kind
-        criticals.append(_named(scene, begun.subsystem, kind, name, start.line, speed, state))
+        name = f"{branch.kind}, not followed" if index is None else names[index]
+        kind = (owner or branch).kind
+        criticals.append(_named(scene, branch.subsystem, kind, name, start.line, speed, state))
     return sorted(criticals, key=lambda c: (lines.index(c.line), c.speed))
 
 
 def _crossed(branches: Sequence[Branch], line: Line) -> list[Start]:
-    """Crossings of followed modes with the line, on the local cubic."""
+    """Return starts where followed modes cross the line, on the local cubic."""
     starts = []
     for place, branch in enumerate(branches):
         track, speed = branch.track, branch.track.speed
@@ -114,15 +116,15 @@ def _crossed(branches: Sequence[Branch], line: Line) -> list[Start]:
                 continue
             row = int(np.clip(np.searchsorted(speed, zero) - 1, 0, max(len(speed) - 2, 0)))
             ends = [k for k in (row, row + 1) if k < len(speed) and not track.lost[k]]
-            near = min(ends, key=lambda k: abs(speed[k] - zero))
+            nearest = min(ends, key=lambda k: abs(speed[k] - zero))
             low, high = float(speed[ends[0]]), float(speed[ends[-1]])
-            starts.append(Start(place, line, zero, low, high, track.vector[near], branch.side))
+            starts.append(Start(place, line, zero, low, high, track.vector[nearest], branch.side))
     return starts
 
 
 def _direct(scene: Scene, branches: Sequence[Branch], subsystem: int, line: Line) -> list[Start]:
-    """All synchronous motions of bending of a subsystem between the speeds of the case, where the
-    matrices follow straight lines of speed from breakpoint to breakpoint."""
+    """Return starts at all synchronous bending motions of a subsystem between the speeds of the
+    case, where the matrices are linear in speed from breakpoint to breakpoint."""
     linear = scene.system(subsystem).linear
     if linear.kinds != {"bending"} or not _piecewise(scene):
         return []
@@ -137,41 +139,41 @@ def _direct(scene: Scene, branches: Sequence[Branch], subsystem: int, line: Line
     starts = []
     for (low, high), (slow, fast) in zip(pairwise(ends), pairwise(stiffness), strict=True):
         if high - low < max(NARROW * (ends[-1] - ends[0]), APART):
-            continue  # two crossings of one mode hardly fit; of one the lines tell
+            continue  # two crossings of one mode hardly fit; lines show a single one
         slope = (fast - slow) / (high - low)
-        still = slow - low * slope
+        constant = slow - low * slope
         for side in (1.0, -1.0) if linear.isotropic else (0.0,):
-            spins, vectors = _turning(side, still, gyroscopic, slope, line.size)
+            spins, vectors = _turning(side, constant, gyroscopic, slope, line.size)
             for spin, vector in zip(spins, (linear.basis @ vectors).T, strict=True):
                 if low <= spin <= high:
-                    at = float(speed[0]), float(speed[-1])
-                    starts.append(Start(place, line, float(spin), *at, vector, side))
+                    limits = float(speed[0]), float(speed[-1])
+                    starts.append(Start(place, line, float(spin), *limits, vector, side))
     return starts
 
 
 def _turning(
     side: float, stiffness: Matrix, gyroscopic: Matrix, slope: Matrix, order: float
 ) -> tuple[Array, Complex]:
-    """Synchronous motions of both planes, ``side`` 0, or, of planes that are one, those that whirl
-    to one side: such of both sides may be at one speed."""
+    """Return synchronous motions of both planes, ``side`` 0, or, of planes that are one, those that
+    whirl to one side: such of both sides may be at one speed."""
     if side == 0.0:
         return synchronous(stiffness, gyroscopic, order, slope)
     h = len(stiffness) // 2
-    still, change = (m[:h, :h] - 1j * m[:h, h:] for m in (stiffness, slope))
-    spins, vectors = synchronous(still, -1j * side * gyroscopic[:h, h:], order, change)
+    constant, change = (m[:h, :h] - 1j * m[:h, h:] for m in (stiffness, slope))
+    spins, vectors = synchronous(constant, -1j * side * gyroscopic[:h, h:], order, change)
     return spins, np.concatenate(
         [vectors, -1j * vectors] if side > 0.0 else [vectors.conj(), 1j * vectors.conj()]
     )
 
 
 def _symmetric(stiffness: Matrix) -> Matrix:
-    """Its symmetric part: what turns with the shaft or couples the planes one way only shifts roots
-    off the real axis, from where they would not be taken up."""
+    """Return the symmetric part: damping of rotating parts, or what couples the planes one way,
+    only shifts roots off the real axis, where they would be missed."""
     return np.asarray(0.5 * (stiffness + np.swapaxes(stiffness, -1, -2)))
 
 
 def _piecewise(scene: Scene) -> bool:
-    """True where stiffness changes with the tables of supports alone."""
+    """True if stiffness changes with the tables of supports alone."""
     force = scene.force
     return (
         not scene.spindle.seats
@@ -181,11 +183,11 @@ def _piecewise(scene: Scene) -> bool:
 
 
 def _owner(branches: Sequence[Branch], subsystem: int, speed: float, state: State) -> int | None:
-    """The followed mode that a root is part of: like it, and of its frequency, at the speeds known
-    around; the likest and nearest of several."""
+    """Return the followed mode to which a root belongs: of its shape, and of its frequency, at the
+    adjacent speeds; the most similar and nearest of several."""
     best, owner = -math.inf, None
-    turned = abs(state.pole.imag)
-    for place, branch in enumerate(branches):
+    omega = abs(state.pole.imag)
+    for index, branch in enumerate(branches):
         if branch.subsystem != subsystem:
             continue
         track = branch.track
@@ -194,29 +196,29 @@ def _owner(branches: Sequence[Branch], subsystem: int, speed: float, state: Stat
         if not ends:
             continue
         frequency = np.abs(track.pole[ends].imag)
-        outside = max(frequency.min() - turned, turned - frequency.max(), 0.0) / turned
+        outside = max(frequency.min() - omega, omega - frequency.max(), 0.0) / omega
         assurance = float(mac(track.vector[ends].T, state.vector[:, None]).max())
-        apart = abs(float(np.interp(speed, track.speed[ends], frequency)) - turned) / turned
-        if outside <= FITS and assurance >= ALIKE and assurance - apart > best:
-            best, owner = assurance - apart, place
+        distance = abs(float(np.interp(speed, track.speed[ends], frequency)) - omega) / omega
+        if outside <= FITS and assurance >= ALIKE and assurance - distance > best:
+            best, owner = assurance - distance, index
     return owner
 
 
 def _same(start: Start, speed: float, state: State, other: tuple[Start, float, State]) -> bool:
-    """True where two searches ended in one root."""
-    begun, at, known = other
+    """True if two searches ended in one root."""
+    other_start, other_speed, other_state = other
     return bool(
-        begun.line == start.line
-        and abs(speed - at) <= SAME * at
-        and len(known.vector) == len(state.vector)
-        and mac(known.vector[:, None], state.vector[:, None])[0, 0] > ALIKE
+        other_start.line == start.line
+        and abs(speed - other_speed) <= SAME * other_speed
+        and len(other_state.vector) == len(state.vector)
+        and mac(other_state.vector[:, None], state.vector[:, None])[0, 0] > ALIKE
     )
 
 
 def _named(
     scene: Scene, subsystem: int, kind: str, name: str, line: Line, speed: float, state: State
 ) -> Critical:
-    """What a root is called and whether something that turns with the shaft excites it."""
+    """Return the critical speed of a root, and whether something that rotates excites it."""
     linear, whirl = scene.system(subsystem).linear, ""
     if kind == "bending":
         vector = np.where(linear.energy_of("bending"), state.vector, 0.0)
@@ -224,5 +226,5 @@ def _named(
         whirl = whirl_along(linear, vector, degree)
     bends = across(linear, state.vector)
     excited = line.excites(excited_by(kind, whirl, isotropic=linear.isotropic, across=bends))
-    ratio = 0.0 - state.pole.real / abs(state.pole)
+    ratio = 0.0 - state.pole.real / abs(state.pole)  # no negative zero
     return Critical(name, speed, line, kind, whirl, float(ratio), excited)

@@ -1,7 +1,7 @@
-"""How far followed modes are off: poles beside the nearest ones of a finer model.
+"""Errors of followed modes: their poles against the nearest ones of a finer model.
 
-What rounding may do to a frequency, beside supports far stiffer than the shaft, is no less of an
-error: the sum of both is reported. No finer model helps against it.
+Rounding of a frequency, with supports far stiffer than the shaft, is no less of an error: the sum
+of both is reported. No finer model helps against it.
 
 Theory: docs/theory/refinement.md.
 """
@@ -27,9 +27,9 @@ from rotordyn.scene.refinement import RESPONSES, few_rows, solve_accurately
 from rotordyn.scene.scene import Scene
 
 Modes = tuple[list[Branch], tuple[str, ...]]
-SAME = 0.1  # of a pole: what has none so near in the finer model vanishes there
-ROUNDING = 1e-12
-CHANCE = 3.0  # changes by rounding that are that much larger than expected are none
+SAME = 0.1  # of a pole: a mode without one as close in the finer model vanishes there
+ROUNDING = 1e-12  # least error reported
+CHANCE = 3.0  # a change larger than expected rounding by more is not due to rounding
 
 
 class ModeErrors(NamedTuple):
@@ -46,14 +46,14 @@ class ModeErrors(NamedTuple):
 def mode_errors(
     scene: Scene, band: Band, modes: Callable[[Scene], Modes]
 ) -> tuple[Scene, Modes, ModeErrors]:
-    """Modes of a model that is fine enough, and how far they are off."""
+    """Return the modes of a model that is fine enough, and their errors."""
 
-    def solve(one: Scene) -> tuple[Modes, ModeErrors]:
-        computed = modes(one)
-        if one.rigid or not one.checks.wanted:
-            none = np.full((len(one.usable), len(computed[0])), 0.0 if one.rigid else np.nan)
-            return computed, ModeErrors(none, none, none, "")
-        return computed, _compared(one, band, computed[0])
+    def solve(model: Scene) -> tuple[Modes, ModeErrors]:
+        computed = modes(model)
+        if model.rigid or not model.checks.wanted:
+            unknown = np.full((len(model.usable), len(computed[0])), 0.0 if model.rigid else np.nan)
+            return computed, ModeErrors(unknown, unknown, unknown, "")
+        return computed, _compared(model, band, computed[0])
 
     def error(solution: tuple[Modes, ModeErrors]) -> float:
         (branches, _), errors = solution
@@ -64,14 +64,14 @@ def mode_errors(
     judged = scene.conditions.element_length is None and scene.checks.wanted
     unconverged = _unconverged(scene, band, computed[0], errors) if judged else ""
     frequency, damping = (
-        np.maximum(each + errors.rounding, ROUNDING) if not scene.rigid else each
-        for each in (errors.frequency, errors.damping)
+        np.maximum(change + errors.rounding, ROUNDING) if not scene.rigid else change
+        for change in (errors.frequency, errors.damping)
     )
     return scene, computed, ModeErrors(frequency, damping, errors.rounding, unconverged)
 
 
 def _unconverged(scene: Scene, band: Band, branches: list[Branch], errors: ModeErrors) -> str:
-    """What of the accuracy asked for is not reached, as a sentence, or ""."""
+    """Return how the model misses the accuracy required, as a sentence, or ""."""
     accuracy, judged = scene.conditions.accuracy, _judged(scene, branches, band)
     most = _worst(errors, judged)
     rounded = _largest(errors.rounding, judged)
@@ -93,32 +93,32 @@ def _unconverged(scene: Scene, band: Band, branches: list[Branch], errors: ModeE
 
 
 def _worst(errors: ModeErrors, judged: Flags) -> float:
-    """The largest error of a frequency, or of a damping ratio in that measure."""
-    each = errors.frequency, errors.damping / RESPONSES
-    return max(_largest(one, judged) for one in each)
+    """Return the largest error of a frequency, or of a damping ratio in that measure."""
+    kinds = errors.frequency, errors.damping / RESPONSES
+    return max(_largest(kind, judged) for kind in kinds)
 
 
 def _largest(errors: Array, judged: Flags) -> float:
-    """The largest of errors (usable, modes) that are ``judged``."""
+    """Return the largest of errors (usable, modes) that are ``judged``."""
     return float(np.nanmax(errors[judged], initial=0.0))
 
 
 def _judged(scene: Scene, branches: list[Branch], band: Band, *, overdamped: bool = False) -> Flags:
-    """Speeds at which modes that are shown swing within the band, or hardly do (usable, modes);
-    those that hardly do at most speeds are shown nowhere."""
+    """Return the speeds at which shown modes oscillate within the band, or hardly do
+    (usable, modes); those that hardly do at most speeds are not shown."""
     judged = np.zeros((len(scene.usable), len(branches)), dtype=bool)
     spin = _spin(scene)
     for k, branch in enumerate(branches):
         with np.errstate(invalid="ignore"):
             ratio = -branch.pole.real / np.abs(branch.pole)
             chosen = (ratio > OVERDAMPED) == overdamped
-            seen = np.minimum(np.abs(branch.pole.imag), branch.frequency_in_frame(spin))
-        judged[:, k] = (seen <= band.highest) & chosen & (not branch.overdamped)
+            frequency = np.minimum(np.abs(branch.pole.imag), branch.frequency_in_frame(spin))
+        judged[:, k] = (frequency <= band.highest) & chosen & (not branch.overdamped)
     return judged
 
 
 def _compared(scene: Scene, band: Band, branches: list[Branch]) -> ModeErrors:
-    """Poles of followed modes beside the nearest ones of the finer model."""
+    """Compare poles of followed modes with the nearest ones of the finer model."""
     finer, few = scene.refined, few_rows(scene)
     rows = np.unique([*few, *(b.born for b in branches if (b.column[few] < 0).all())])
     errors = np.full((3, len(rows), len(branches)), np.nan)
@@ -126,50 +126,50 @@ def _compared(scene: Scene, band: Band, branches: list[Branch]) -> ModeErrors:
     spin = _spin(scene)
     for subsystem in sorted({branch.subsystem for branch in branches}):
         motions = finer.system_at(subsystem, rows)
-        apart = all(b.side for b in branches if b.subsystem == subsystem)
-        for (place, row), side in product(enumerate(rows), (-1.0, 1.0) if apart else (0.0,)):
+        separate = all(b.side for b in branches if b.subsystem == subsystem)
+        for (index, row), side in product(enumerate(rows), (-1.0, 1.0) if separate else (0.0,)):
             chosen = [
                 k for k, b in enumerate(branches) if (b.subsystem, b.side) == (subsystem, side)
             ]
             chosen = [k for k in chosen if branches[k].column[row] >= 0]
-            pole = motions.pole[place]
-            mine = (motions.whirl[place] == side) | (not apart)
-            there = pole[swings(pole) & ~motions.at_rest[place] & mine]
-            here = np.array([branches[k].pole[row] for k in chosen], dtype=complex)
-            nearness = -np.abs(here[:, None] - there) / np.abs(here)[:, None]
+            pole = motions.pole[index]
+            of_side = (motions.whirl[index] == side) | (not separate)
+            finer_poles = pole[swings(pole) & ~motions.at_rest[index] & of_side]
+            poles = np.array([branches[k].pole[row] for k in chosen], dtype=complex)
+            nearness = -np.abs(poles[:, None] - finer_poles) / np.abs(poles)[:, None]
             partner = matched(nearness, -SAME)
-            known, extra = partner >= 0, np.delete(there, partner[partner >= 0])
-            change = _change(here, np.append(there, np.nan)[partner])
-            errors[:2, place, chosen] = np.where(known, change, SAME)
+            paired, extra = partner >= 0, np.delete(finer_poles, partner[partner >= 0])
+            change = _change(poles, np.append(finer_poles, np.nan)[partner])
+            errors[:2, index, chosen] = np.where(paired, change, SAME)
             column = [branches[k].column[row] for k in chosen]
-            errors[2, place, chosen] = scene.system(subsystem).rounding[row, column]
-            for what, lost in (("vanish", here[~known]), ("appear", extra)):
-                turning = np.abs(lost.imag - side * spin[row])
-                judged = np.minimum(lost.imag, turning) < highest
-                judged &= -lost.real <= OVERDAMPED * np.abs(lost)
+            errors[2, index, chosen] = scene.system(subsystem).rounding[row, column]
+            for what, unpaired in (("vanish", poles[~paired]), ("appear", extra)):
+                in_frame = np.abs(unpaired.imag - side * spin[row])
+                judged = np.minimum(unpaired.imag, in_frame) < highest
+                judged &= -unpaired.real <= OVERDAMPED * np.abs(unpaired)
                 if judged.any():
-                    unconverged = _sentence(scene, row, what, turning[judged][0])
-    at = scene.speed[scene.usable] ** 2  # the gyroscopic effect's share of an error follows that
-    whole = np.full((3, len(at), len(branches)), np.nan)
+                    unconverged = _sentence(scene, row, what, in_frame[judged][0])
+    at = scene.speed[scene.usable] ** 2  # the gyroscopic part of an error is proportional to it
+    interpolated = np.full((3, len(at), len(branches)), np.nan)
     for k, branch in enumerate(branches):
-        known = np.isfinite(errors[0, :, k])
+        paired = np.isfinite(errors[0, :, k])
         for kind in range(3):
-            whole[kind, :, k] = np.interp(at, at[rows[known]], errors[kind, known, k])
-        whole[:, branch.column < 0, k] = np.nan
-    frequency, damping, rounding = whole
+            interpolated[kind, :, k] = np.interp(at, at[rows[paired]], errors[kind, paired, k])
+        interpolated[:, branch.column < 0, k] = np.nan
+    frequency, damping, rounding = interpolated
     return ModeErrors(frequency, damping, rounding, unconverged)
 
 
 def _change(here: Complex, there: Complex) -> Array:
-    """Relative change of frequencies and change of damping ratios (2, k)."""
+    """Return relative change of frequencies and change of damping ratios (2, k)."""
     size = np.abs(here)
     return np.abs([(here.imag - there.imag) / size, here.real / size - there.real / np.abs(there)])
 
 
 def _spin(scene: Scene) -> Array:
-    """Speed (usable,) of the frame in which modes are shown [rad/s]."""
-    turning = scene.conditions.formulation == ROTATING
-    return np.asarray(scene.speed[scene.usable] * turning)
+    """Return the speed (usable,) of the frame in which modes are shown [rad/s]."""
+    rotating = scene.conditions.formulation == ROTATING
+    return np.asarray(scene.speed[scene.usable] * rotating)
 
 
 def _sentence(scene: Scene, row: int, what: str, omega: float) -> str:

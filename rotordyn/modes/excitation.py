@@ -1,18 +1,18 @@
-"""What excites at multiples of the speed: the lines of a Campbell diagram."""
+"""Excitation at multiples of the speed: the lines of a Campbell diagram."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
-OF_UNBALANCE = 1.0  # the order of what turns with the shaft
-EITHER = "either"  # way round
+OF_UNBALANCE = 1.0  # the order of forces that rotate with the shaft
+EITHER = "either"  # direction of rotation
 
 
 class Line(NamedTuple):
-    """What excites at ``order`` times the speed of ``rotor``: ``multiple`` times the spindle's.
+    """Excitation at ``order`` times the speed of ``rotor``: ``multiple`` times the spindle's.
 
-    A negative multiple is of a rotor that turns the other way round.
+    A negative multiple is of a counter-rotating rotor.
     """
 
     rotor: str
@@ -34,17 +34,17 @@ class Line(NamedTuple):
 
     @property
     def way(self) -> str:
-        """In which its rotor turns, seen along x."""
+        """Direction in which its rotor rotates, seen along x."""
         return "forward" if self.multiple > 0.0 else "backward"
 
     @property
     def other_way(self) -> str:
-        """The opposite one."""
+        """The opposite direction."""
         return "backward" if self.multiple > 0.0 else "forward"
 
     def excites(self, excited_by: str) -> bool:
-        """Whether it may excite a mode that unbalance turning so (``excited_by``) excites; forces
-        of another order than 1 may point anywhere.
+        """Return whether it may excite a mode that unbalance in a direction (``excited_by``)
+        excites; forces of another order than 1 may have any direction.
 
         >>> [Line("quill", 1.0, -1.5).excites(way) for way in ("forward", "backward", "either")]
         [False, True, True]
@@ -53,16 +53,16 @@ class Line(NamedTuple):
 
 
 def excited_by(kind: str, whirl: str, *, isotropic: bool, across: bool) -> str:
-    """Which way unbalance turns that excites a mode: as a bending mode whirls where both planes
-    are alike, else ``EITHER``; empty of axial motion and torsion that take no shaft ``across`` its
-    axis."""
+    """Return the direction in which unbalance rotates that excites a mode: as a bending mode whirls
+    where both planes are alike, else ``EITHER``; empty of axial motion and torsion that move no
+    shaft ``across`` its axis."""
     if kind != "bending":
         return EITHER if across else ""
     return whirl if isotropic and whirl in ("forward", "backward") else EITHER
 
 
 def exciting(ratios: Mapping[str, float], orders: Iterable[float]) -> list[Line]:
-    """Lines of ``orders`` of every rotor that turns; of rotors at one speed those of the first.
+    """Return lines of ``orders`` of every rotor that rotates; of equal speeds those of the first.
 
     >>> [line.multiple for line in exciting({"spindle": 1.0, "sleeve": 1.0, "outer": -1.5}, [1, 2])]
     [1.0, 2.0, -1.5, -3.0]

@@ -1,4 +1,4 @@
-"""What followed modes are called, and the order in which they are listed."""
+"""Names of followed modes, and the order in which they are listed."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from rotordyn.modes.branches import Branch
 
 
 def named(branches: Iterable[Branch]) -> tuple[list[Branch], tuple[str, ...]]:
-    """Branches as they are listed, and their names: numbered from below, by kind."""
-    listed = sorted(branches, key=_place)
+    """Return branches as they are listed, and their names: numbered from below, by kind."""
+    listed = sorted(branches, key=_rank)
     return listed, _names(listed)
 
 
-def _place(branch: Branch) -> tuple[str, bool, float, float]:
-    """Bending, axial, torsion; overdamped ones last; from below; of equal ones backward first."""
+def _rank(branch: Branch) -> tuple[str, bool, float, float]:
+    """Rank bending, axial, torsion; overdamped last; from below; of equal ones backward first."""
     kind = {"bending": "0", "axial": "1", "torsion": "2"}[branch.kind]
     first = branch.born
     return (

@@ -1,4 +1,4 @@
-"""Motions that hardly swing."""
+"""Overdamped motions, which hardly oscillate."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ import numpy as np
 from rotordyn.arrays import Array, Flags
 
 ROUNDING = 1e-6  # of a damping ratio
-OVERDAMPED = 0.99  # damping ratio above which a motion hardly swings
+OVERDAMPED = 0.99  # damping ratio above which a motion hardly oscillates
 
 
 def is_overdamped(damping_ratio: Array) -> Flags:
-    """Which motions (modes,) hardly swing at most of the speeds (speeds, modes) at which they are
-    there, NaN where they are not: those of a damping ratio above ``OVERDAMPED``."""
-    known = np.isfinite(damping_ratio).sum(axis=0)
-    crept = (damping_ratio > OVERDAMPED).sum(axis=0)
-    return np.asarray((2 * crept > known) | (known == 0))
+    """Return which motions (modes,) have a damping ratio (speeds, modes) above ``OVERDAMPED`` at
+    most of the speeds at which they exist; it is NaN where they do not."""
+    present = np.isfinite(damping_ratio).sum(axis=0)
+    overdamped = (damping_ratio > OVERDAMPED).sum(axis=0)
+    return np.asarray((2 * overdamped > present) | (present == 0))

@@ -1,9 +1,8 @@
-"""Speeds at which a followed mode turns at a multiple of the speed, by secants.
+"""Speeds at which a followed mode whirls at a multiple of the speed, by secants.
 
 The machine, its bearings and damping included, is set up anew at each trial, all searches at once;
-journals in squeeze films whirl at the multiple.
-Of it the one mode is corrected that the search is after; all are solved for where that leads to a
-mode unlike it.
+journals in squeeze films whirl at the multiple. Only the mode sought is corrected; all modes are
+solved for where that leads to a mode unlike it.
 """
 
 from __future__ import annotations
@@ -24,19 +23,19 @@ from rotordyn.numerics.follow import mac
 from rotordyn.numerics.modes import swings
 from rotordyn.scene.scene import Scene
 
-ITERATIONS = 20
+ITERATIONS = 20  # secants, at most
 CLOSE = 1e-11  # of the frequency: the condition holds
-ROUNDED = 1e-7  # likewise, where no other speed comes nearer to it; more is no root in the range
+ROUNDED = 1e-7  # likewise, where no other speed is closer; more is no root in the range
 NEARNESS = 2.0  # of the MAC that a distance as large as the frequency costs
-CLEAR = 0.7  # MAC, less that, from which no other mode can be meant
+CLEAR = 0.7  # MAC, less that, from which it is no other mode
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Start:
-    """Where to look: ``speed`` [rad/s] for ``branch``, between ``low`` and ``high``.
+    """Start of a search: ``speed`` [rad/s] for ``branch``, between ``low`` and ``high``.
 
-    ``line``: what excites there; ``side``: the whirl of the branch where planes are one, else 0;
-    ``before``: a speed already looked at, and what it missed by.
+    ``line``: excitation there; ``side``: the whirl of the branch where planes are one, else 0;
+    ``before``: a previous speed, and its ``miss``.
     """
 
     branch: int
@@ -51,7 +50,7 @@ class Start:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class State:
-    """The mode nearest to a start at some speed; ``miss`` |Im λ| − n Ω [rad/s]."""
+    """Mode nearest to a start at some speed; ``miss`` |Im λ| − n Ω [rad/s]."""
 
     pole: complex
     vector: Complex
@@ -61,16 +60,16 @@ class State:
 def solved(
     scene: Scene, branches: Sequence[Branch], starts: Sequence[Start]
 ) -> list[tuple[Start, float, State]]:
-    """Every start led to its root by secants, all at once; those without one are left out."""
+    """Return the root of every start by secants, all at once; starts without one are omitted."""
     if not starts:
         return []
     at = np.array([s.speed for s in starts])
     starts = list(starts)
     open_, done = list(range(len(starts))), []
-    near: dict[int, tuple[Start, float, State]] = {}
+    nearest: dict[int, tuple[Start, float, State]] = {}
     for _ in range(ITERATIONS):
         states = _states(scene, branches, [starts[k] for k in open_], at[open_])
-        still = []
+        continuing = []
         for k, state in zip(open_, states, strict=True):
             if state is None:
                 continue
@@ -78,55 +77,55 @@ def solved(
                 done.append((starts[k], float(at[k]), state))
                 continue
             if abs(state.miss) <= ROUNDED * abs(state.pole):
-                near[k] = starts[k], float(at[k]), state
-            onward = _next(starts[k], float(at[k]), state.miss)
+                nearest[k] = starts[k], float(at[k]), state
+            next_speed = _next(starts[k], float(at[k]), state.miss)
             starts[k] = replace(
                 starts[k],
                 vector=state.vector,
                 before=(float(at[k]), state.miss),
             )
-            if onward != at[k]:
-                at[k] = onward
-                still.append(k)
-            elif k in near:
-                done.append(near[k])
-        open_ = still
+            if next_speed != at[k]:
+                at[k] = next_speed
+                continuing.append(k)
+            elif k in nearest:
+                done.append(nearest[k])
+        open_ = continuing
         if not open_:
             break
-    return done + [near[k] for k in open_ if k in near]  # where rounding keeps secants moving
+    return done + [nearest[k] for k in open_ if k in nearest]  # where rounding keeps secants moving
 
 
 def _next(start: Start, at: float, miss: float) -> float:
-    """The secant through the last two speeds, at first the speed at which the frequency met would
-    be the multiple; not beyond the ends of the search."""
-    before, onward = start.before, at + miss / start.line.size
+    """Return the speed by the secant through the last two, at first the speed of which the
+    frequency would be the multiple; not beyond the ends of the search."""
+    before, speed = start.before, at + miss / start.line.size
     if before is not None and before[1] != miss:
-        onward = at - miss * (at - before[0]) / (miss - before[1])
-    return float(np.clip(onward, start.low, start.high))
+        speed = at - miss * (at - before[0]) / (miss - before[1])
+    return float(np.clip(speed, start.low, start.high))
 
 
 def _states(
     scene: Scene, branches: Sequence[Branch], starts: list[Start], at: Array
 ) -> list[State | None]:
-    """The mode of every start at its speed; None where there is none, or no equilibrium."""
+    """Return the mode of every start at its speed; None if there is none, or no equilibrium."""
     speeds, row = np.unique(at, return_inverse=True)
     other = scene.at(speeds)
     states: list[State | None] = [None] * len(starts)
     if all(other.outcome):
         return states
-    place = np.full(len(speeds), -1)
-    place[other.usable] = np.arange(len(other.usable))
-    ways: dict[tuple[int, float], list[int]] = {}
-    for k in np.flatnonzero(place[row] >= 0).tolist():
-        way = branches[starts[k].branch].subsystem, starts[k].line.size
-        ways.setdefault(way, []).append(k)
-    for (subsystem, size), chosen in ways.items():
-        rows, mine = place[row[chosen]], [starts[k] for k in chosen]
+    usable_row = np.full(len(speeds), -1)
+    usable_row[other.usable] = np.arange(len(other.usable))
+    groups: dict[tuple[int, float], list[int]] = {}
+    for k in np.flatnonzero(usable_row[row] >= 0).tolist():
+        key = branches[starts[k].branch].subsystem, starts[k].line.size
+        groups.setdefault(key, []).append(k)
+    for (subsystem, size), chosen in groups.items():
+        rows, members = usable_row[row[chosen]], [starts[k] for k in chosen]
         whirling = other.whirling(size)
-        near = _corrected(whirling, subsystem, rows, mine, at[chosen])
-        for k, at_row, state in zip(chosen, rows.tolist(), near, strict=True):
+        modes = _corrected(whirling, subsystem, rows, members, at[chosen])
+        for k, at_row, state in zip(chosen, rows.tolist(), modes, strict=True):
             states[k] = state or _nearest(
-                _known(whirling, subsystem, starts[k]), at_row, starts[k], float(at[k])
+                _motions(whirling, subsystem, starts[k]), at_row, starts[k], float(at[k])
             )
     return states
 
@@ -134,41 +133,41 @@ def _states(
 def _corrected(
     scene: Scene, subsystem: int, rows: Indices, starts: list[Start], at: Array
 ) -> list[State | None]:
-    """The mode of every start by itself; None where that is not clearly the one looked for.
+    """Return the mode of every start by itself; None where that is not clearly the one sought.
 
     Cases that are mostly critical speeds (lalanne_ferraris) take 1.6 times as long by ``_states``.
     """
     linear, line = scene.linear(subsystem), starts[0].line.size
     signs = Signs(*map(int, signs_of(np.array([line]), np.ones(1), whirling=False)[0]))
     stiffness = linear.within(answering_stiffness(linear, signs)[rows])
-    begun = np.asarray(np.array([s.vector for s in starts]) @ linear.basis, dtype=complex)
+    guess = np.asarray(np.array([s.vector for s in starts]) @ linear.basis, dtype=complex)
     damping = linear.within(linear.damping[rows])
-    turning = np.asarray(1j * line * at, dtype=complex)
-    pole, vector, met = corrected(stiffness, damping, turning, begun)
+    guessed_pole = np.asarray(1j * line * at, dtype=complex)
+    pole, vector, converged = corrected(stiffness, damping, guessed_pole, guess)
     states: list[State | None] = [None] * len(starts)
-    for k in np.flatnonzero(met & swings(pole) & (pole.imag > 0.0)).tolist():
-        moved = linear.basis @ vector[k]
-        if _fitness(starts[k], at[k], pole[k : k + 1], moved[:, None])[0] > CLEAR:
-            states[k] = State(complex(pole[k]), moved, float(pole[k].imag - line * at[k]))
+    for k in np.flatnonzero(converged & swings(pole) & (pole.imag > 0.0)).tolist():
+        displacement = linear.basis @ vector[k]
+        if _fitness(starts[k], at[k], pole[k : k + 1], displacement[:, None])[0] > CLEAR:
+            states[k] = State(complex(pole[k]), displacement, float(pole[k].imag - line * at[k]))
     return states
 
 
-def _known(scene: Scene, subsystem: int, start: Start) -> FreeMotions:
-    """Modes of a subsystem; with loss factors, of motions at the multiple of the speed that the
-    start is after. Where planes are one here and not at all speeds, its shape tells its whirl."""
+def _motions(scene: Scene, subsystem: int, start: Start) -> FreeMotions:
+    """Return the modes of a subsystem; with loss factors, of motions at the start's multiple of the
+    speed. Where planes are one here and not at all speeds, its shape determines its whirl."""
     motions = scene.system(subsystem)
     if motions.lossy is None:
         return motions
-    turning = start.line.size
+    order = start.line.size
     if motions.whirling:
         degree = whirl_degree(motions.linear, start.vector[None, :, None])
-        turning *= start.side or math.copysign(1.0, degree[0, 0])
-    signs = signs_of(np.array([turning]), np.ones(1), whirling=motions.whirling)
+        order *= start.side or math.copysign(1.0, degree[0, 0])
+    signs = signs_of(np.array([order]), np.ones(1), whirling=motions.whirling)
     return motions.answering(Signs(*map(int, signs[0])))
 
 
 def _nearest(motions: FreeMotions, row: int, start: Start, speed: float) -> State | None:
-    """The swinging mode of a subsystem that is most like the start and near to its line."""
+    """Return the vibration mode of a subsystem that is most like the start and near its line."""
     pole, vector = motions.pole[row], motions.vector[row]
     columns = np.flatnonzero(swings(pole) & (motions.whirl[row] * start.side >= 0.0))
     if not columns.size:
@@ -179,7 +178,7 @@ def _nearest(motions: FreeMotions, row: int, start: Start, speed: float) -> Stat
 
 
 def _fitness(start: Start, speed: float, pole: Complex, vector: Complex) -> Array:
-    """How like the start modes (k,) with ``vector`` (n, k) are, and how near to its line."""
-    line, turning = start.line.size * speed, pole.imag
-    apart = np.abs(turning - line) / np.maximum(np.maximum(turning, line), 1e-100)
-    return np.asarray(mac(start.vector[:, None], vector)[0] - NEARNESS * apart)
+    """Return the similarity of modes (k,), ``vector`` (n, k), to the start and its line."""
+    line, frequency = start.line.size * speed, pole.imag
+    distance = np.abs(frequency - line) / np.maximum(np.maximum(frequency, line), 1e-100)
+    return np.asarray(mac(start.vector[:, None], vector)[0] - NEARNESS * distance)

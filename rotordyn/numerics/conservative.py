@@ -1,13 +1,12 @@
-"""Poles of systems that neither lose nor gain energy: a symmetric eigenproblem.
+"""Poles of conservative systems: a symmetric eigenproblem.
 
 With K = L Lᴴ, H = i D and λ = iν, λ² q + λ D q + K q = 0 is
 
     ν (v, u) = [[H, L], [Lᴴ, 0]] (v, u),   v = ν q, u = Lᴴ q,
 
-whose matrix is Hermitian: its vectors are orthonormal, and those of the left come with them. Where
-the stiffness is real and D imaginary, as of an isotropic rotor without damping, it is real. Stiff
-coordinates stand first: the reduction to three diagonals, which begins there, then leaves the
-slow ones their digits.
+whose matrix is Hermitian: its eigenvectors are orthonormal and give the left ones, too. It is real
+where the stiffness is real and D imaginary, as of an isotropic rotor without damping. Stiff
+coordinates come first: tridiagonalisation, which begins there, then keeps the digits of slow ones.
 """
 
 from __future__ import annotations
@@ -18,23 +17,23 @@ from rotordyn.arrays import Array, Complex, Indices, Matrix
 from rotordyn.numerics.threads import in_threads
 
 ROUNDING = 1e-14  # of the largest entry of a coordinate's row
-HELD = 1e-6  # of a coordinate's stiffness, left when the others may follow: less loses digits
+HELD = 1e-6  # of a coordinate's stiffness: less, with the others free to follow, loses digits
 SLOWEST = 1e-8  # of the fastest: slower poles lose digits
 LEAST = 8  # systems to a thread
 
 
 def conservative_modes(stiffness: Matrix, damping: Matrix) -> tuple[Complex, ...] | None:
-    """Poles (…, 2n), vectors (…, n, 2n) and participations (…, 2n, n) of ``numerics.modes``.
+    """Return poles (…, 2n), vectors (…, n, 2n) and participations (…, 2n, n) of ``numerics.modes``.
 
     None where the stiffness (…, n, n) is not Hermitian and clearly positive definite, or the
     damping not anti-Hermitian, or where digits would be lost.
     """
     if not (_hermitian(stiffness) and _hermitian(1j * damping)):
         return None
-    found = whirls(stiffness, damping)
-    if found is None:
+    solution = whirls(stiffness, damping)
+    if solution is None:
         return None
-    order, upper, rate, both = found
+    order, upper, rate, both = solution
     vector = np.linalg.solve(upper, both[..., len(order) :, :])[..., order.argsort(), :]
     pole = np.asarray(1j * rate, dtype=complex)
     left = pole.conj()[..., None] * np.swapaxes(vector.conj(), -1, -2)
@@ -42,9 +41,9 @@ def conservative_modes(stiffness: Matrix, damping: Matrix) -> tuple[Complex, ...
 
 
 def whirls(stiffness: Matrix, damping: Matrix) -> tuple[Indices, Matrix, Array, Matrix] | None:
-    """Order (n,) of the coordinates, Lᴴ (…, n, n), ν (…, 2n), ascending, and the vectors (v, u)
-    (…, 2n, 2n), all in that order, of Hermitian K and anti-Hermitian D; None where digits would be
-    lost."""
+    """Return the order (n,) of the coordinates, and in that order Lᴴ (…, n, n), ν (…, 2n),
+    ascending, and the vectors (v, u) (…, 2n, 2n) of Hermitian K and anti-Hermitian D; None if
+    digits would be lost."""
     order = np.argsort(-_largest(stiffness))
     swapped = order[:, None], order
     root = _root(_real_if_so(stiffness[..., *swapped]))
@@ -58,7 +57,7 @@ def whirls(stiffness: Matrix, damping: Matrix) -> tuple[Indices, Matrix, Array, 
 
 
 def _root(stiffness: Matrix) -> Matrix | None:
-    """L (…, n, n), None where K is not clearly positive definite."""
+    """Return L (…, n, n), None where K is not clearly positive definite."""
     try:
         root = np.linalg.cholesky(stiffness)
     except np.linalg.LinAlgError:
@@ -68,7 +67,7 @@ def _root(stiffness: Matrix) -> Matrix | None:
 
 
 def _solved(turning: Matrix, upper: Matrix) -> tuple[Array, Matrix]:
-    """ν (…, 2n), ascending, and (v, u) (…, 2n, 2n)."""
+    """Return ν (…, 2n), ascending, and (v, u) (…, 2n, 2n) from H and Lᴴ."""
     n = upper.shape[-1]
     shape = np.broadcast_shapes(upper.shape, turning.shape)[:-2]
     matrix = np.zeros((*shape, 2 * n, 2 * n), dtype=np.result_type(upper, turning))
@@ -82,16 +81,18 @@ def _solved(turning: Matrix, upper: Matrix) -> tuple[Array, Matrix]:
 
 
 def _largest(stiffness: Matrix) -> Array:
-    """Of each coordinate its stiffness, the largest of the batch (n,)."""
+    """Return the stiffness of each coordinate, the largest of the batch (n,)."""
     diagonal = np.abs(np.diagonal(stiffness, axis1=-2, axis2=-1))
     return np.asarray(diagonal.reshape(-1, diagonal.shape[-1]).max(axis=0))
 
 
 def _hermitian(matrix: Matrix) -> bool:
     size = np.abs(matrix)
-    apart = np.abs(matrix - np.swapaxes(matrix.conj(), -1, -2))
-    each = np.maximum(size.max(axis=-1), size.max(axis=-2))
-    return bool((apart <= ROUNDING * np.maximum(each[..., None], each[..., None, :])).all())
+    difference = np.abs(matrix - np.swapaxes(matrix.conj(), -1, -2))
+    row_size = np.maximum(size.max(axis=-1), size.max(axis=-2))
+    return bool(
+        (difference <= ROUNDING * np.maximum(row_size[..., None], row_size[..., None, :])).all()
+    )
 
 
 def _real_if_so(matrix: Matrix) -> Matrix:

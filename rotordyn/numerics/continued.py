@@ -1,4 +1,4 @@
-"""Which mode of a system each mode becomes as a little is added to its stiffness."""
+"""Continuation of modes: which mode each becomes after a small change of the stiffness."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from rotordyn.arrays import Complex, Flags, Indices
 from rotordyn.numerics.follow import mac
 from rotordyn.numerics.modes import Modes
 
-FARTHEST = 1.0  # of a pole: a larger change is not believed
-NEARNESS = 4.0  # of the MAC that a pole as far away as it is large costs
+FARTHEST = 1.0  # of a pole: a larger predicted change is ignored
+NEARNESS = 4.0  # weight of the relative distance of poles against the MAC
 
 
 def continued(before: Modes, after: Modes, rows: Iterable[int]) -> Indices:
-    """Column of ``after`` for every one of ``before`` (speeds, k), each taken once, at ``rows``.
+    """Return the column of ``after`` for each of ``before`` (speeds, k), each once, at ``rows``.
 
-    A pole λ with the right vector v and the left one w is expected at λ − w ΔK v; of all ways to
-    pair expected and found poles the one with the least sum of distance and 1 − MAC is taken.
-    Rows not asked for stay in their order.
+    A pole λ with the right vector v and the left one w is expected at λ − w ΔK v; of all pairings
+    of expected and new poles the one with the least sum of distance and 1 − MAC is taken. Other
+    rows stay in their order.
     """
     from scipy.optimize import linear_sum_assignment
 
@@ -30,34 +30,34 @@ def continued(before: Modes, after: Modes, rows: Iterable[int]) -> Indices:
     expected = _expected(before, after)
     for row in rows:
         poles, new = expected[row], after.pole[row]
-        apart = np.abs(poles[:, None] - new)
+        distance = np.abs(poles[:, None] - new)
         size = np.abs(poles)[:, None] + np.abs(new)
         assurance = mac(before.vector[row], after.vector[row])
-        cost = NEARNESS * apart / np.where(size > 0.0, size, 1.0) - assurance
-        row_of, other = linear_sum_assignment(cost)
-        column[row, row_of] = other
+        cost = NEARNESS * distance / np.where(size > 0.0, size, 1.0) - assurance
+        row_of, partner = linear_sum_assignment(cost)
+        column[row, row_of] = partner
     return column
 
 
 def _expected(before: Modes, after: Modes) -> Complex:
-    """Poles (speeds, k) to first order; as they were where that is no small change."""
+    """Return poles (speeds, k) to first order; unchanged where that is no small change."""
     added = after.stiffness - before.stiffness
     with np.errstate(invalid="ignore", over="ignore"):
         step = np.einsum("snk,skn->sk", added @ before.vector, before.participation)
-        known = np.abs(step) < FARTHEST * np.abs(before.pole)
-    return np.where(known, before.pole - step, before.pole)
+        small = np.abs(step) < FARTHEST * np.abs(before.pole)
+    return np.where(small, before.pole - step, before.pole)
 
 
 def conjugate(modes: Modes) -> Modes:
-    """Modes of the conjugate system."""
+    """Return the modes of the conjugate system."""
     return Modes(*(getattr(modes, field.name).conj() for field in fields(modes)))
 
 
 def collected(base: Modes, parts: Iterable[tuple[Modes, Indices, Flags]]) -> Modes:
-    """``base`` with modes of other systems in place of its own: each of ``parts`` gives modes, the
-    column of them for every mode of the base (speeds, k), and where they are taken (speeds, k).
+    """Return ``base`` with modes of other systems in place of its own.
 
-    The systems stay those of the base.
+    Each of ``parts`` gives modes, their column for every mode of the base (speeds, k), and where
+    they are taken (speeds, k). The systems stay those of the base.
     """
     pole, vector, left, condition = base.pole, base.vector, base.participation, base.condition
     for modes, column, taken in parts:

@@ -1,4 +1,4 @@
-"""Follow vectors through a sweep: who at this step is who at the last one."""
+"""Following of vectors through a sweep: which one at a step continues which at the last one."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ import numpy as np
 from rotordyn.arrays import Array, Complex, Flags, Indices
 from rotordyn.numerics.repeated import joined, near, spanning
 
-LEAST_MAC = 0.2
+LEAST_MAC = 0.2  # score below which two vectors are not matched
 NEARNESS = 0.3  # of the MAC that the farthest pole costs
-CLEAR = 0.7  # MAC from which a vector is known again
-FAR = 1e3  # ratio of root gaps from which they tell nothing
-TOUCHING = 3e-6  # of a value: a crossing met so closely is one
+CLEAR = 0.7  # MAC from which a vector is identified
+FAR = 1e3  # ratio of root gaps from which they locate nothing
+TOUCHING = 3e-6  # of a value: a crossing bracketed this closely is one
 
 
 def mac(a: Complex, b: Complex) -> Array:
-    """|aᴴ b|² / (|a|² |b|²) of the columns of a (n, k) and b (n, l): 1 alike, 0 orthogonal."""
+    """Return |aᴴ b|² / (|a|² |b|²) of columns a (n, k) and b (n, l): 1 parallel, 0 orthogonal."""
     inner = np.abs(a.conj().T @ b) ** 2
     return inner / (
         np.einsum("ik,ik->k", np.abs(a), np.abs(a))[:, None]
@@ -29,43 +29,43 @@ def mac(a: Complex, b: Complex) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class Steps:
-    """``vectors`` (steps, n, k) of ``poles`` (steps, k) through a sweep; where a step has fewer
-    they come first, before vectors of zeros and poles of NaN."""
+    """``vectors`` (steps, n, k) of ``poles`` (steps, k) through a sweep; a step with fewer has them
+    first, then vectors of zeros and poles of NaN."""
 
     vectors: Complex
     poles: Complex
 
     @cached_property
     def many(self) -> Indices:
-        """How many each step has (steps,)."""
+        """Number of vectors at each step (steps,)."""
         return np.asarray((~np.isnan(self.poles)).sum(axis=1))
 
     def of(self, step: int) -> tuple[Complex, Complex]:
-        """Vectors and poles of one step, (n, k) and (k,)."""
-        many = self.many[step]
-        return self.vectors[step, :, :many], self.poles[step, :many]
+        """Return vectors and poles of one step, (n, k) and (k,)."""
+        count = self.many[step]
+        return self.vectors[step, :, :count], self.poles[step, :count]
 
     @cached_property
     def alike(self) -> Array:
         """MAC of every step with the next (steps − 1, k, k); zero where either is absent."""
         size = np.sqrt((self.vectors.real**2 + self.vectors.imag**2).sum(axis=1, keepdims=True))
-        whole = self.vectors / np.where(size > 0.0, size, 1.0)
-        inner = np.swapaxes(whole[:-1].conj(), 1, 2) @ whole[1:]
+        unit = self.vectors / np.where(size > 0.0, size, 1.0)
+        inner = np.swapaxes(unit[:-1].conj(), 1, 2) @ unit[1:]
         alike = np.minimum(inner.real**2 + inner.imag**2, 1.0)
         repeated = near(self.poles).sum(axis=(1, 2)) > self.many
         for step in np.flatnonzero(repeated[:-1] | repeated[1:]).tolist():
-            here, there = self.many[step], self.many[step + 1]
-            alike[step, :here, :there] = _shared(*self.of(step), *self.of(step + 1))
+            count, next_count = self.many[step], self.many[step + 1]
+            alike[step, :count, :next_count] = _shared(*self.of(step), *self.of(step + 1))
         return np.asarray(alike)
 
 
 def follow(steps: Steps, ahead: Complex | None = None) -> Indices:
-    """Paths through the steps: column of each path at every step (steps, paths), −1 where absent.
+    """Return the column of each path through the steps (steps, paths), −1 where absent.
 
-    ``ahead`` (steps, k): what the poles are expected to be at the next step, the same if left out.
-    Of vectors equally alike the one nearest to that is taken. The most alike pairs are matched
-    first, each vector once; a vector that nobody claims begins a path of its own. Vectors of
-    repeated poles are any basis of what they span: each is like all that this space holds.
+    ``ahead`` (steps, k): poles expected at the next step, unchanged by default. Of vectors with
+    equal MAC the one nearest to that is taken. Pairs with the highest score are matched first, each
+    vector once; a vector without partner begins a path of its own. Vectors of repeated poles are
+    any basis of their space: each is compared with the whole space.
     """
     expected = steps.poles if ahead is None else ahead
     partner, clear = _partners_at_once(steps, expected)
@@ -78,15 +78,15 @@ def follow(steps: Steps, ahead: Complex | None = None) -> Indices:
             continue
         fresh, pole = steps.of(k)
         if (seen == k - 1).all():
-            alike = steps.alike[k - 1, last, : len(pole)]
+            shared = steps.alike[k - 1, last, : len(pole)]
         else:
-            alike = _shared(steps.vectors[seen, :, last].T, steps.poles[seen, last], fresh, pole)
-        column = matched(_score(alike, expected[seen, last], pole), LEAST_MAC)
-        known = column >= 0
-        born = np.setdiff1d(np.arange(len(pole)), column[known])
-        last = np.append(np.where(known, column, last), born)
-        seen = np.append(np.where(known, k, seen), np.full(len(born), k))
-        rows.append(np.append(column, born))
+            shared = _shared(steps.vectors[seen, :, last].T, steps.poles[seen, last], fresh, pole)
+        column = matched(_score(shared, expected[seen, last], pole), LEAST_MAC)
+        continues = column >= 0
+        new = np.setdiff1d(np.arange(len(pole)), column[continues])
+        last = np.append(np.where(continues, column, last), new)
+        seen = np.append(np.where(continues, k, seen), np.full(len(new), k))
+        rows.append(np.append(column, new))
     path = np.full((len(rows), len(last)), -1, dtype=np.intp)
     for step, row in enumerate(rows):
         path[step, : len(row)] = row
@@ -94,8 +94,8 @@ def follow(steps: Steps, ahead: Complex | None = None) -> Indices:
 
 
 def _partners_at_once(steps: Steps, expected: Complex) -> tuple[Indices, Flags]:
-    """Column at the next step of each vector (steps − 1, k), and the steps (steps − 1,) at which
-    all go on, each to its own, and none is new."""
+    """Return the column at the next step of each vector (steps − 1, k), and the steps (steps − 1,)
+    at which all continue, one to one, and none is new."""
     score = _score(steps.alike, expected[:-1], steps.poles[1:])
     score[np.isnan(score)] = -np.inf
     columns = np.arange(score.shape[-1])
@@ -104,95 +104,95 @@ def _partners_at_once(steps: Steps, expected: Complex) -> tuple[Indices, Flags]:
         return np.zeros(missing.shape, dtype=np.intp), np.ones(len(missing), dtype=bool)
     partner = np.where(missing, columns, score.argmax(axis=2))
     clear = (score.max(axis=2) >= LEAST_MAC) | missing
-    each = (np.sort(partner, axis=1) == columns) & clear
-    return partner, each.all(axis=1) & (steps.many[:-1] == steps.many[1:])
+    one_to_one = (np.sort(partner, axis=1) == columns) & clear
+    return partner, one_to_one.all(axis=1) & (steps.many[:-1] == steps.many[1:])
 
 
 def _score(alike: Array, at: Complex, pole: Complex) -> Array:
-    """Score (…, k, l) of every pair: the MAC ``alike`` (…, k, l) less what ``pole`` (…, l) is away
-    from where it is expected, ``at`` (…, k): modes of one shape may differ in damping alone."""
+    """Return the score (…, k, l) of every pair: the MAC ``alike`` (…, k, l) less the distance of
+    ``pole`` (…, l) from the expected ``at`` (…, k): modes may differ in damping alone."""
     pole, at = pole[..., None, :], at[..., None]
-    apart = np.abs(pole - at) / (np.abs(at) + np.abs(pole) + 1e-300)
-    return np.asarray(alike - NEARNESS * apart)
+    distance = np.abs(pole - at) / (np.abs(at) + np.abs(pole) + 1e-300)
+    return np.asarray(alike - NEARNESS * distance)
 
 
 def _shared(last: Complex, before: Complex, fresh: Complex, pole: Complex) -> Array:
-    """MAC of columns (k, l), those of repeated poles together."""
-    alike = mac(spanning(last, before), spanning(fresh, pole))
-    return np.minimum(joined(before) @ alike @ joined(pole), 1.0)
+    """Return the MAC of columns (k, l), those of repeated poles together."""
+    assurance = mac(spanning(last, before), spanning(fresh, pole))
+    return np.minimum(joined(before) @ assurance @ joined(pole), 1.0)
 
 
 def doubts(at: Array, steps: Steps, within: float, narrowest: float) -> list[float]:
-    """Places between the steps ``at`` (steps,) where another one would tell who is who.
+    """Return places between the steps ``at`` (steps,) where another step would identify vectors.
 
-    Where a vector with a frequency below ``within`` is like no single one of the next step, as in a
-    veering, the nearer to a step the closer poles are there; and where the frequencies of two that
-    stay themselves change their order, at the crossing, until it is met so closely that a veering
-    as narrow would show. No step becomes smaller than ``narrowest``.
+    Where a vector with a frequency below ``within`` has no single partner at the next step, as in a
+    veering, nearer to the step with the closer poles; and where the frequencies of two identified
+    vectors change their order, at the crossing, until it is bracketed so closely that a veering as
+    narrow would show. No step becomes smaller than ``narrowest``.
     """
-    alike, one, other = steps.alike, steps.poles[:-1].imag, steps.poles[1:].imag
+    assurance, first, second = steps.alike, steps.poles[:-1].imag, steps.poles[1:].imag
     wide = (np.diff(at) > 2.0 * narrowest) & (steps.many[:-1] > 0) & (steps.many[1:] > 0)
     if not wide.any():
         return []
     unclear = [
-        (alike.max(axis=2 - side) < CLEAR) & (frequency < within)
-        for side, frequency in enumerate((one, other))
+        (assurance.max(axis=2 - side) < CLEAR) & (frequency < within)
+        for side, frequency in enumerate((first, second))
     ]
     veers = wide & (unclear[0].any(axis=1) | unclear[1].any(axis=1))
-    after = np.take_along_axis(other, alike.argmax(axis=2), axis=1)
-    share = np.where(wide, _crossings(one, after, one < within), np.inf)
+    after = np.take_along_axis(second, assurance.argmax(axis=2), axis=1)
+    share = np.where(wide, _crossings(first, after, first < within), np.inf)
     for k in np.flatnonzero(veers).tolist():
         poles = [steps.of(k)[1], steps.of(k + 1)[1]]
-        share[k] = _veering(poles, [np.flatnonzero(each[k]) for each in unclear])
+        share[k] = _veering(poles, [np.flatnonzero(flags[k]) for flags in unclear])
     chosen = np.flatnonzero(share < np.inf)
     width, share = np.diff(at)[chosen], share[chosen]
     room = narrowest / width
-    wanted: list[float] = (at[chosen] + width * np.clip(share, room, 1.0 - room)).tolist()
-    return wanted
+    places: list[float] = (at[chosen] + width * np.clip(share, room, 1.0 - room)).tolist()
+    return places
 
 
 def _veering(poles: list[Complex], unclear: list[Indices]) -> float:
-    """A place whose distance to its neighbours is to be the mean, in ratio, of what it is at the
-    two steps: vectors change where it is small. Half-way where one only comes or goes."""
+    """Return the share of a step at which a pole's distance to others is the geometric mean of that
+    at both ends: vectors change where it is small. Half-way where one only comes or goes."""
     if not (unclear[0].size and unclear[1].size):
         return 0.5
     gaps = []
     for pole, unclear_at in zip(poles, unclear, strict=True):
-        apart = np.abs(pole[unclear_at, None] - pole)
-        apart[np.arange(len(unclear_at)), unclear_at] = np.inf
-        gaps.append(math.sqrt(float(apart.min(initial=1e300))))
+        distance = np.abs(pole[unclear_at, None] - pole)
+        distance[np.arange(len(unclear_at)), unclear_at] = np.inf
+        gaps.append(math.sqrt(float(distance.min(initial=1e300))))
     if max(gaps) >= FAR * min(gaps):  # also where both are none
         return 0.5
     return gaps[0] / (gaps[0] + gaps[1])
 
 
-def _crossings(one: Array, other: Array, wanted: Flags) -> Array:
-    """Where between two steps (steps, k) the first two values that change their order meet, as a
-    share of the way (steps,); infinite where none do, or where a step is there already."""
-    before, after = (each[:, :, None] - each[:, None] for each in (one, other))
+def _crossings(one: Array, other: Array, considered: Flags) -> Array:
+    """Return the share of each step (steps,) at which the first two values that change their order
+    (steps, k) meet; infinite where none do, or where they meet at a step already."""
+    before, after = (value[:, :, None] - value[:, None] for value in (one, other))
     size = np.minimum(np.abs(one), np.abs(other))[:, None]
-    apart = np.minimum(np.abs(before), np.abs(after)) > TOUCHING * size
-    swapped = (before * after < 0.0) & apart & wanted[:, :, None] & wanted[:, None]
+    resolved = np.minimum(np.abs(before), np.abs(after)) > TOUCHING * size
+    swapped = (before * after < 0.0) & resolved & considered[:, :, None] & considered[:, None]
     share = np.full(swapped.shape, np.inf)
     np.divide(before, before - after, out=share, where=swapped)
     return np.asarray(share.min(axis=(1, 2), initial=np.inf))
 
 
 def matched(score: Array, least: float) -> Indices:
-    """Column of each row (rows,) by greedy matching, best ``score`` (rows, columns) first; −1 where
-    none of ``least`` is left."""
+    """Return the column of each row (rows,) by greedy matching, best ``score`` (rows, columns)
+    first; −1 where none of ``least`` remains."""
     partner = np.full(score.shape[0], -1, dtype=np.intp)
     if not score.size:
         return partner
     best = score.argmax(axis=1)
     if len(set(best.tolist())) == len(best) and score.max(axis=1).min() >= least:
-        return best  # each its own
-    left = score.copy()
+        return best  # one to one already
+    remaining = score.copy()
     for _ in range(min(score.shape)):
-        row, column = np.unravel_index(int(left.argmax()), left.shape)
-        if left[row, column] < least:
+        row, column = np.unravel_index(int(remaining.argmax()), remaining.shape)
+        if remaining[row, column] < least:
             break
         partner[row] = column
-        left[row, :] = -np.inf
-        left[:, column] = -np.inf
+        remaining[row, :] = -np.inf
+        remaining[:, column] = -np.inf
     return partner

@@ -1,4 +1,4 @@
-"""Peaks of resonance curves: where they are, and samples that do not miss them.
+"""Peaks of resonance curves: their places, and samples that do not miss them.
 
 Near a pole the inverse square of an amplitude is a parabola of the frequency, exactly so for one
 mode. Three samples give its vertex; samples spread geometrically about a pole give a curve that
@@ -15,20 +15,20 @@ from numpy.typing import NDArray
 from rotordyn.arrays import Array, Indices
 
 GROWTH = 1.5  # of the distance from a pole, from one sample to the next
-NARROW = 1e-4  # of the frequency: about a pole without damping no closer samples
-CLOSER = 1e-3  # of an amplitude: a vertex higher than that is sampled
-ENDLESS = 1e3  # times a sample beside it: no damping limits a peak as high as that
-BENT = 0.2  # of a logarithm: a sample so far off a straight line is told from one on it
-SEEN = 1e-4  # of the largest amplitude of a curve: where it has less, it is not asked how it bends
-NOTHING = 1e-9  # of the largest of all curves: one that has less is rounding
-ROUNDS = 8
+NARROW = 1e-4  # of the frequency: least distance of samples about an undamped pole
+CLOSER = 1e-3  # of an amplitude: a vertex that exceeds it by more is sampled
+ENDLESS = 1e3  # times the sample next to it: no damping limits a higher peak
+BENT = 0.2  # of a logarithm: a sample farther off a straight line is not on it
+SEEN = 1e-4  # of the largest amplitude of a curve: its curvature where it is less is ignored
+NOTHING = 1e-9  # of the largest of all curves: a curve with less is rounding
+ROUNDS = 8  # of further samples, at most
 
 
 def vertex(x: Array, amplitude: Array) -> tuple[Array, Array]:
-    """Abscissa and height (…) of the parabola of 1/``amplitude``² through three samples (…, 3).
+    """Return abscissa and height (…) of the parabola of 1/``amplitude``² through samples (…, 3).
 
-    ``x`` ascends and the middle sample is the highest. The height is infinite where the parabola
-    dips below zero: no damping is told from these samples.
+    ``x`` ascends and the middle sample is the highest. The height is infinite where the parabola is
+    negative at its vertex: these samples show no damping.
     """
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         y = 1.0 / (amplitude / amplitude[..., 1:2]) ** 2
@@ -44,21 +44,21 @@ def vertex(x: Array, amplitude: Array) -> tuple[Array, Array]:
 
 
 def spread(centre: float, width: float, low: float, high: float) -> Array:
-    """Samples from ``low`` to ``high`` about a peak of half ``width``, ever farther apart; none on
-    its centre, where a response without damping has no limit."""
+    """Return samples from ``low`` to ``high`` about a peak of half ``width``, with growing
+    distances; none at its centre, where an undamped response is unbounded."""
     width = max(width, NARROW * abs(centre))
     reach = max(centre - low, high - centre, width)
     steps = np.arange(max(int(np.log(reach / width) / np.log(GROWTH)) + 2, 1))
-    out = width * np.concatenate([[0.25, 0.5, 0.75], GROWTH**steps])
-    points = np.concatenate([centre - out[::-1], centre + out])
+    distance = width * np.concatenate([[0.25, 0.5, 0.75], GROWTH**steps])
+    points = np.concatenate([centre - distance[::-1], centre + distance])
     return np.asarray(points[(points >= low) & (points <= high)])
 
 
 def spread_between(
     centres: Array, widths: Array, low: float, high: float, *, least: int = 0
 ) -> Array:
-    """Samples about several peaks, each up to half the way to the next one; at least as many as
-    ``least``, evenly, besides."""
+    """Return samples about several peaks, each up to half-way to the next one, and ``least``
+    uniform ones in addition."""
     order = np.argsort(centres)
     centres, widths = centres[order], widths[order]
     middles = [low, *(0.5 * (centres[1:] + centres[:-1])).tolist(), high]
@@ -69,7 +69,7 @@ def spread_between(
 
 
 def tops(amplitude: Array) -> Indices:
-    """Places of local maxima of a curve (n,), its ends left out."""
+    """Return the indices of local maxima of a curve (n,) without its ends."""
     with np.errstate(invalid="ignore"):
         inner = amplitude[1:-1]
         return 1 + np.flatnonzero((inner > amplitude[:-2]) & (inner >= amplitude[2:]))
@@ -80,8 +80,8 @@ def sampled(
     solve: Callable[[Array], Sequence[NDArray[np.generic]]],
     amplitude: Callable[[Sequence[NDArray[np.generic]]], Array],
 ) -> tuple[Array, list[NDArray[np.generic]]]:
-    """Samples ``x`` (n,) and what ``solve`` gives of them (n, …), with more at every peak and
-    wherever curves bend.
+    """Return samples ``x`` (n,) and what ``solve`` gives for them (n, …), with more at every peak
+    and wherever curves bend.
 
     ``amplitude`` of that (n, curves): the vertex of each of their peaks is sampled until it is no
     higher than the highest sample, and intervals are halved until their logarithms are nearly
@@ -90,22 +90,22 @@ def sampled(
     values = list(solve(x))
     for _ in range(ROUNDS):
         curves = amplitude(values)
-        wanted = np.setdiff1d(np.concatenate([_higher(x, curves), _bent(x, curves)]), x)
-        if not wanted.size:
+        further = np.setdiff1d(np.concatenate([_higher(x, curves), _bent(x, curves)]), x)
+        if not further.size:
             break
-        more = solve(wanted)
-        x = np.concatenate([x, wanted])
+        new_values = solve(further)
+        x = np.concatenate([x, further])
         order = np.argsort(x)
         x = x[order]
-        values = [np.concatenate([a, b])[order] for a, b in zip(values, more, strict=True)]
+        values = [np.concatenate([a, b])[order] for a, b in zip(values, new_values, strict=True)]
     return x, values
 
 
 def _bent(x: Array, amplitude: Array) -> Array:
-    """Middles of the intervals at samples that lie off the straight line of their neighbours."""
+    """Return midpoints of the intervals at samples off the straight line of their neighbours."""
     high = np.fmax.reduce(amplitude, axis=0, initial=0.0)
-    shown = (amplitude > SEEN * high) & (high > NOTHING * high.max(initial=0.0))
-    level = np.log(np.where(shown & np.isfinite(amplitude), amplitude, np.nan))
+    significant = (amplitude > SEEN * high) & (high > NOTHING * high.max(initial=0.0))
+    level = np.log(np.where(significant & np.isfinite(amplitude), amplitude, np.nan))
     before, after = np.diff(x)[:-1, None], np.diff(x)[1:, None]
     straight = (level[:-2] * after + level[2:] * before) / (before + after)
     wide = np.minimum(before, after) > 2.0 * NARROW * np.abs(x[1:-1, None])
@@ -114,13 +114,13 @@ def _bent(x: Array, amplitude: Array) -> Array:
 
 
 def _higher(x: Array, amplitude: Array) -> Array:
-    """Vertices that are higher than their highest sample."""
+    """Return vertices that are higher than their highest sample."""
     parts = [np.zeros(0)]
     for curve in amplitude.T:
         top = tops(curve)
         three = top[:, None] + np.arange(-1, 2)
         at, height = vertex(x[three], curve[three])
-        near = np.abs(at - x[top]) > 1e-12 * np.abs(at)
+        distinct = np.abs(at - x[top]) > 1e-12 * np.abs(at)
         higher = (height > (1.0 + CLOSER) * curve[top]) & (height < ENDLESS * curve[top])
-        parts.append(at[near & higher])
+        parts.append(at[distinct & higher])
     return np.unique(np.concatenate(parts))

@@ -8,8 +8,7 @@ from rotordyn.arrays import Matrix
 
 
 def times(matrix: Matrix, vector: Matrix) -> Matrix:
-    """``matrix`` (…, m, n) @ ``vector`` (…, n, k); real where the matrix is and the vector's values
-    are."""
+    """Return ``matrix`` (…, m, n) @ ``vector`` (…, n, k), real if the values of both are."""
     if np.iscomplexobj(matrix) or not np.iscomplexobj(vector):
         return np.asarray(matrix @ vector)
     real = matrix @ np.ascontiguousarray(vector.real)

@@ -1,4 +1,4 @@
-"""Vectors of repeated values: any basis of what they span is as good as any other."""
+"""Vectors of repeated values, which are an arbitrary basis of their span."""
 
 from __future__ import annotations
 
@@ -6,35 +6,34 @@ import numpy as np
 
 from rotordyn.arrays import Array, Complex, Flags, Indices
 
-REPEATED = 1e-6  # of a value: nearer ones are known again together, by what their vectors span
-EQUAL = 1e-9  # of a pole: nearer ones differ by rounding, and their vectors are any of that span
+REPEATED = 1e-6  # of a value: closer ones are identified together, by the span of their vectors
+EQUAL = 1e-9  # of a pole: closer ones differ by rounding, and their vectors are any of that span
 APART = 0.3  # least singular value of unit vectors that are clearly independent
 
 
 def near(values: Array | Complex, share: float = REPEATED) -> Flags:
-    """Which of the values (…, k) are within a share of one another, themselves among them
-    (…, k, k)."""
-    here, there = values[..., :, None], values[..., None, :]
-    return np.asarray(np.abs(here - there) <= share * np.abs(here))
+    """Return which values (…, k) are within a share of one another (…, k, k), each of itself."""
+    rows, columns = values[..., :, None], values[..., None, :]
+    return np.asarray(np.abs(rows - columns) <= share * np.abs(rows))
 
 
 def joined(values: Array | Complex, share: float = REPEATED) -> Flags:
-    """The same of values (k,), also by those between them (k, k)."""
-    found = near(values, share)
-    found |= found.T
-    while (found @ found != found).any():
-        found = found @ found
-    return found
+    """Return which values (k,) are as near, also by those between them (k, k)."""
+    linked = near(values, share)
+    linked |= linked.T
+    while (linked @ linked != linked).any():
+        linked = linked @ linked
+    return linked
 
 
 def groups(values: Array | Complex, share: float = REPEATED) -> list[Indices]:
-    """Places of repeated values among all (k,), each once."""
+    """Return the indices of repeated values among all (k,), each group once."""
     same = joined(values, share)
     return [np.flatnonzero(row) for row in np.unique(same[same.sum(axis=1) > 1], axis=0)]
 
 
 def spanning(vectors: Complex, values: Array | Complex) -> Complex:
-    """Vectors (n, k), those of repeated ``values`` (k,) as an orthonormal basis of their span."""
+    """Return vectors (n, k), those of repeated ``values`` (k,) as an orthonormal basis."""
     vectors = vectors.copy()
     for group in groups(values):
         vectors[:, group] = np.linalg.qr(vectors[:, group])[0]
@@ -42,9 +41,9 @@ def spanning(vectors: Complex, values: Array | Complex) -> Complex:
 
 
 def as_beside(at: Array, poles: Complex, vectors: Complex) -> Complex:
-    """Vectors (steps, n, paths) of ``poles`` (steps, paths) at ``at`` (steps,); of equal poles what
-    their span holds of the vectors at the nearest step where all of them have poles of their own.
-    They stay as they are where there is no such step, or where it holds too little of these.
+    """Return vectors (steps, n, paths) of ``poles`` (steps, paths) at ``at`` (steps,); those of
+    equal poles as projections on their span of the vectors at the nearest step where all of them
+    have distinct poles. They stay where there is no such step, or where projections are too small.
 
     So shapes and whirl at rest are those of slow rotation, whatever rounding has made of them.
     """
@@ -53,15 +52,15 @@ def as_beside(at: Array, poles: Complex, vectors: Complex) -> Complex:
     vectors = vectors.copy() if repeats.any() else vectors
     for step in np.flatnonzero(repeats).tolist():
         for group in groups(poles[step], EQUAL):
-            alone = near(poles[:, group], EQUAL).sum(axis=(1, 2)) == len(group)
-            parted = np.flatnonzero(alone & present[:, group].all(axis=1))
-            if not parted.size:
+            distinct = near(poles[:, group], EQUAL).sum(axis=(1, 2)) == len(group)
+            candidates = np.flatnonzero(distinct & present[:, group].all(axis=1))
+            if not candidates.size:
                 continue
-            here = vectors[step][:, group]
-            beside = vectors[parted[np.abs(at[parted] - at[step]).argmin()]][:, group]
-            basis = np.linalg.qr(here)[0]
-            held = basis.conj().T @ (beside / np.linalg.norm(beside, axis=0))
-            if np.linalg.svd(held, compute_uv=False).min() > APART:
-                size = np.linalg.norm(here, axis=0) / np.linalg.norm(held, axis=0)
-                vectors[step][:, group] = basis @ (size * held)
+            current = vectors[step][:, group]
+            adjacent = vectors[candidates[np.abs(at[candidates] - at[step]).argmin()]][:, group]
+            basis = np.linalg.qr(current)[0]
+            projected = basis.conj().T @ (adjacent / np.linalg.norm(adjacent, axis=0))
+            if np.linalg.svd(projected, compute_uv=False).min() > APART:
+                size = np.linalg.norm(current, axis=0) / np.linalg.norm(projected, axis=0)
+                vectors[step][:, group] = basis @ (size * projected)
     return vectors

@@ -1,6 +1,6 @@
-"""Matrices of few entries: dense arrays while they are small, compressed rows where they are large.
+"""Sparse matrices: dense arrays while they are small, compressed rows where they are large.
 
-Both know ``@``, ``.T``, ``+``, ``.diagonal()`` and ``.shape``; what they do not share is here.
+Both have ``@``, ``.T``, ``+``, ``.diagonal()`` and ``.shape``; what they do not share is here.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ LARGE = 300  # DOF from which Lanczos finds a few modes in compressed rows faste
 
 
 def summed(shape: tuple[int, int], parts: Iterable[Part], *, large: bool) -> Matrix:
-    """Blocks (…, r, c) at rows (…, r) and columns (…, c) added up."""
+    """Return the sum of blocks (…, r, c) at rows (…, r) and columns (…, c)."""
     if not large:
         total = np.zeros(shape)
         for rows, columns, blocks in parts:

@@ -26,46 +26,48 @@ _processes = [1]
 
 
 def linear_algebra_alone() -> AbstractContextManager[object]:
-    """Linear algebra on one thread per call, however many processors there are."""
+    """Return a context with linear algebra on one thread per call, however many processors."""
     return _pools(len(sys.modules)).limit(limits=1, user_api="blas")
 
 
 @lru_cache(maxsize=1)
 def _pools(modules: int) -> ThreadpoolController:
-    """The libraries loaded with so many modules; to look for them takes a millisecond."""
+    """Return the libraries loaded with so many modules; searching for them takes a millisecond."""
     from threadpoolctl import ThreadpoolController
 
     return ThreadpoolController()
 
 
 def processors() -> int:
-    """How many this process may use."""
-    few = hasattr(os, "sched_getaffinity")
-    return max(1, (len(os.sched_getaffinity(0)) if few else os.cpu_count() or 1) // _processes[0])
+    """Return the number of processors this process may use."""
+    has_affinity = hasattr(os, "sched_getaffinity")
+    return max(
+        1, (len(os.sched_getaffinity(0)) if has_affinity else os.cpu_count() or 1) // _processes[0]
+    )
 
 
 def side_by_side(processes: int) -> None:
-    """So many processes work on one thing, this one among them: each has its share of them."""
+    """Share processors among so many processes, this one included."""
     _processes[0] = processes
 
 
 def in_threads(work: Callable[[slice], T], count: int, least: int) -> list[T]:
-    """``work`` on consecutive slices of ``count`` items, in order; none smaller than ``least``.
+    """Run ``work`` on consecutive slices of ``count`` items, in order; none smaller than ``least``.
 
-    None is much larger than ``MOST``: Ctrl-C waits for those that are worked on.
+    None is much larger than ``MOST``: Ctrl-C waits for those in progress.
     """
     threads = max(1, min(processors(), count // least))
     parts = max(threads, min(count // MOST, count // least))
     ends = pairwise(count * k // parts for k in range(parts + 1))
-    return list(each_in_threads(work, [slice(*each) for each in ends], threads))
+    return list(each_in_threads(work, [slice(*bounds) for bounds in ends], threads))
 
 
 def each_in_threads(
     work: Callable[[S], T], items: Sequence[S], threads: int | None = None
 ) -> Iterator[T]:
-    """``work`` on every item, in order; on as many threads as there are processors by default.
+    """Run ``work`` on every item, in order; on as many threads as there are processors by default.
 
-    Where one fails, or Ctrl-C comes, no further item is begun.
+    Where one fails, or Ctrl-C comes, no further item is started.
     """
     threads = threads or processors()
     if threads == 1:

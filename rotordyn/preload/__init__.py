@@ -1,13 +1,12 @@
 """The axial arrangement of shaft, sleeves, springs and stops, and its state at every speed.
 
-``growth``, ``shortening`` and ``mounting`` go into the ``arrangement``, whose forces are a
-``network`` and whose balance is its ``equilibrium``; with ``stops`` it gives the ``state``, counted
-from the machine ``as_assembled``, of several machines ``together``. ``friction`` adds what the
-``history`` leaves, ``under_load`` loads across the axis by the ``balance`` of shaft and bearings,
-found by ``balance_search``.
-``heat_balance`` and ``on_films`` repeat all that until temperatures or films agree with it,
-``warming`` does as the spindle warms up.
-``axial_force`` and ``ring_stress`` follow from it, ``play`` is a quicker way for identification.
-A history has bearings as ``axial_tables``, ``play`` as ``axial_curves``; both know their
-``axial_ends``.
+``growth``, ``shortening`` and ``mounting`` enter the ``arrangement``, whose forces are a
+``network`` and whose balance is its ``equilibrium``; with ``stops`` it gives the ``state``, which
+refers to the machine ``as_assembled``; ``together`` solves several machines at once. ``friction``
+adds what remains of the ``history``, ``under_load`` adds loads across the axis by the ``balance``
+of shaft and bearings, solved by ``balance_search``. ``heat_balance`` and ``on_films`` repeat these
+steps until temperatures or films agree with the state, ``warming`` follows it in time.
+``axial_force`` and ``ring_stress`` are computed from the state; ``play`` is a faster method for
+identification. A history represents bearings by ``axial_tables``, ``play`` by ``axial_curves``;
+both use ``axial_ends``.
 """

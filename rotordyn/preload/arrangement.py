@@ -1,4 +1,4 @@
-"""Who is joined to whom along the axis: rigid bodies, bearings between them, springs, stops."""
+"""Axial arrangement of a spindle: rigid bodies, bearings between them, springs and stops."""
 
 from __future__ import annotations
 
@@ -20,18 +20,19 @@ from rotordyn.preload.mounting import mounted_preloads, spring_way
 from rotordyn.preload.on_films import Films
 from rotordyn.preload.shortening import seat_shifts, support_shift, thermal_shifts
 
-HOUSING = -1
-SHAFT = 0
+HOUSING = -1  # in place of a body that carries an outer ring
+SHAFT = 0  # index among the bodies
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class AxialBearing:
-    """One bearing, or several alike in the same state, between the shaft and a body.
+    """A bearing, or several identical ones in the same state, between the shaft and a body.
 
-    ``seats``: indices of the bearings of a tandem set; ``model``: what is mounted there; ``law``:
-    what is assumed of its balls, at every speed or at each; ``thrust`` ±1;
-    ``outer``: body of the outer ring; ``static_growth``, ``growth`` and ``shortening`` of the
-    shaft there (speeds,) [m], what films and warm balls seem to add included.
+    ``seats``: indices of the seats of a tandem set; ``model``: the bearing mounted there; ``law``:
+    assumptions on its balls, one for all speeds or one for each; ``thrust``: direction, ±1;
+    ``outer``: index of the body that carries the outer ring; ``static_growth`` and ``growth`` of
+    the rings, ``shortening`` of the shaft there (speeds,) [m], including the apparent growth and
+    shift due to films and warm balls.
     """
 
     seats: tuple[int, ...]
@@ -47,8 +48,8 @@ class AxialBearing:
 @dataclass(frozen=True, eq=False, slots=True)
 class Push:
     """Spring and stop of the sleeve ``body``: ``direction`` ±1 in which the spring pushes it with
-    its ``preload`` [N] at rest, ``stiffness`` [N/m], ``travel`` against the spring [m]; infinite: a
-    rigid preload, no stop."""
+    its ``preload`` [N] at rest, ``stiffness`` [N/m], infinite for a rigid preload; ``travel``
+    against the spring up to the stop [m], infinite without a stop."""
 
     body: int
     direction: int
@@ -75,13 +76,13 @@ class Arrangement:
 
     @property
     def bearing_of_seat(self) -> list[int]:
-        """For every seat the bearing that stands for it, index among ``bearings`` (seats,)."""
+        """Index among ``bearings`` of the bearing at each seat (seats,)."""
         owner = {seat: k for k, bearing in enumerate(self.bearings) for seat in bearing.seats}
         return [owner[seat] for seat in sorted(owner)]
 
     @property
     def structure(self) -> tuple[Any, ...]:
-        """What machines that are solved ``side_by_side`` have in common."""
+        """Properties that machines solved ``side_by_side`` must have in common."""
         bearings = [
             (b.seats, b.model, b.thrust, b.outer, b.law.friction, b.law.dynamics)
             for b in self.bearings
@@ -91,11 +92,11 @@ class Arrangement:
 
     @property
     def direction(self) -> Array:
-        """Way in which the spring of every body pushes, ±1; 0 of the shaft (bodies,)."""
+        """Direction in which the spring of each body pushes, ±1; 0 for the shaft (bodies,)."""
         return np.array([0.0, *(push.direction for push in self.pushes)])
 
     def at(self, index: Indices) -> Arrangement:
-        """The arrangement at some of its speeds."""
+        """Return the arrangement at the speeds ``index``."""
         bearings = tuple(
             replace(
                 bearing,
@@ -118,22 +119,22 @@ def arrangement(
     temperatures: Temperatures | None = None,
     films: Films | None = None,
 ) -> Arrangement:
-    """The axial arrangement of ``spindle``, rings and shaft deformed by every ``speed`` [rad/s] and
-    by ``temperatures``, balls on ``films``.
+    """Return the axial arrangement of ``spindle``, rings and shaft deformed by every ``speed``
+    [rad/s] and by ``temperatures``, balls on ``films``.
 
-    ``force`` [N] on the shaft; ``law``: what is assumed of balls where a seat says nothing else.
-    Seats that are alike at these speeds share a bearing.
+    ``force`` [N] acts on the shaft; ``law``: assumptions on balls where a seat has none of its own.
+    Seats with identical bearings and deformations at these speeds share a bearing.
     """
     sleeves = {sleeve.name: k + 1 for k, sleeve in enumerate(spindle.sleeves)}
     shifts = seat_shifts(spindle, speed)
     if temperatures is not None:
         shifts = shifts + thermal_shifts(spindle, speed, temperatures)
-    none = np.zeros_like(shifts)
-    by_films, along = (none, none) if films is None else films.at(speed)
+    zero = np.zeros_like(shifts)
+    film_growth, film_shift = (zero, zero) if films is None else films.at(speed)
     bearings: list[AxialBearing] = []
     for k, seat in enumerate(spindle.seats):
         sleeve = spindle.sleeve_of(seat.name)
-        swollen = thermal_shift(seat, speed, temperatures)
+        ball_shift = thermal_shift(seat, speed, temperatures)
         bearing = AxialBearing(
             seats=(k,),
             model=spindle.mounted(seat),
@@ -141,8 +142,8 @@ def arrangement(
             thrust=seat.thrust,
             outer=HOUSING if sleeve is None else sleeves[sleeve.name],
             static_growth=np.full(len(speed), static_growth(spindle, seat)),
-            growth=ring_growth(spindle, seat, speed, temperatures) + by_films[:, k],
-            shortening=shifts[:, k] + seat.thrust * (along[:, k] + swollen),
+            growth=ring_growth(spindle, seat, speed, temperatures) + film_growth[:, k],
+            shortening=shifts[:, k] + seat.thrust * (film_shift[:, k] + ball_shift),
         )
         same = next((i for i, other in enumerate(bearings) if _alike(other, bearing)), None)
         if same is None:
@@ -160,7 +161,7 @@ def arrangement(
 
 
 def _alike(a: AxialBearing, b: AxialBearing) -> bool:
-    """True where the two bearings must carry the same load at every speed."""
+    """True if two bearings must carry the same load at every speed."""
     same = (a.model, a.law, a.thrust, a.outer) == (b.model, b.law, b.thrust, b.outer)
     return same and all(
         np.array_equal(getattr(a, name), getattr(b, name))
@@ -171,23 +172,23 @@ def _alike(a: AxialBearing, b: AxialBearing) -> bool:
 def _pushes(spindle: Spindle) -> tuple[Push, ...]:
     preloads = zip(spindle.sleeves, mounted_preloads(spindle), strict=True)
     return tuple(
-        Push(k, spring_way(spindle, each), force, each.spring.stiffness, each.stop_travel)
-        for k, (each, force) in enumerate(preloads, start=SHAFT + 1)
+        Push(k, spring_way(spindle, sleeve), preload, sleeve.spring.stiffness, sleeve.stop_travel)
+        for k, (sleeve, preload) in enumerate(preloads, start=SHAFT + 1)
     )
 
 
 def rigid(push: Push) -> bool:
-    """True where the sleeve is locked in its place at rest."""
+    """True if the sleeve is locked in its position at rest."""
     return math.isinf(push.stiffness)
 
 
 def has_stop(push: Push) -> bool:
-    """True where a stop ends the travel of the sleeve."""
+    """True if a stop ends the travel of the sleeve."""
     return math.isfinite(push.travel) and not rigid(push)
 
 
 def as_mounted(joined: Arrangement) -> Arrangement:
-    """The arrangement at rest without external force, as the stated preloads are meant."""
+    """Return the arrangement at rest without external force, the condition of stated preloads."""
     bearings = tuple(
         replace(
             b,
@@ -198,35 +199,34 @@ def as_mounted(joined: Arrangement) -> Arrangement:
         )
         for b in joined.bearings
     )
-    none = np.zeros(1)
-    return replace(joined, bearings=bearings, speed=none, force=0.0, support_shift=none)
+    zero = np.zeros(1)
+    return replace(joined, bearings=bearings, speed=zero, force=0.0, support_shift=zero)
 
 
 def apart(joined: Arrangement) -> Arrangement:
-    """The arrangement with every bearing by itself, in the order of the seats."""
-    alone = [replace(b, seats=(seat,)) for b in joined.bearings for seat in b.seats]
-    return replace(joined, bearings=tuple(sorted(alone, key=lambda each: each.seats)))
+    """Return the arrangement with one bearing per seat, in the order of the seats."""
+    separate = [replace(b, seats=(seat,)) for b in joined.bearings for seat in b.seats]
+    return replace(joined, bearings=tuple(sorted(separate, key=lambda bearing: bearing.seats)))
 
 
 def side_by_side(machines: Sequence[Arrangement]) -> Arrangement:
-    """Machines of one ``structure`` as one arrangement, the speeds of one after those of the
-    other."""
-    first, count = machines[0], [len(each.speed) for each in machines]
+    """Join machines of one ``structure`` into one arrangement, their speeds in sequence."""
+    first, count = machines[0], [len(m.speed) for m in machines]
     if len(machines) == 1:
         return first
-    assert all(each.structure == first.structure for each in machines), "machines built otherwise"
+    assert all(m.structure == first.structure for m in machines), "machines built otherwise"
     bearings = []
     for k, bearing in enumerate(first.bearings):
-        every = [each.bearings[k] for each in machines]
+        copies = [m.bearings[k] for m in machines]
         bearings.append(
             replace(
                 bearing,
-                law=laws_of([each.law for each in every], count),
-                static_growth=np.concatenate([each.static_growth for each in every]),
-                growth=np.concatenate([each.growth for each in every]),
-                shortening=np.concatenate([each.shortening for each in every]),
+                law=laws_of([b.law for b in copies], count),
+                static_growth=np.concatenate([b.static_growth for b in copies]),
+                growth=np.concatenate([b.growth for b in copies]),
+                shortening=np.concatenate([b.shortening for b in copies]),
             )
         )
-    speed = np.concatenate([each.speed for each in machines])
-    shift = np.concatenate([each.support_shift for each in machines])
+    speed = np.concatenate([m.speed for m in machines])
+    shift = np.concatenate([m.support_shift for m in machines])
     return replace(first, bearings=tuple(bearings), speed=speed, support_shift=shift)

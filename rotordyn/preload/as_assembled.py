@@ -1,4 +1,4 @@
-"""A machine as assembled: its equilibrium at rest, and where that puts springs and stops.
+"""Machine as assembled: its equilibrium at rest, and the positions of springs and stops there.
 
 The convention at rest: each spring carries exactly its stated preload, without external force.
 """
@@ -15,35 +15,36 @@ from rotordyn.preload.arrangement import SHAFT, Arrangement, as_mounted, has_sto
 from rotordyn.preload.equilibrium import solve
 from rotordyn.preload.network import Network, NetworkState, Springs
 
-NO_SHARE = 1e-9  # of the largest preload: a bearing that carries less may stand within its play
+NO_SHARE = 1e-9  # of the largest preload: a bearing with less load may float within its play
 
 
 def mounted(joined: Sequence[Arrangement]) -> Iterator[NetworkState]:
-    """Equilibria at rest under the stated preloads alone, each of one speed."""
+    """Yield the equilibrium of each arrangement at rest under its stated preloads (one speed)."""
     parts = []
-    for each in joined:
-        still, nothing = as_mounted(each), np.zeros((1, len(each.bodies)))
-        parts.append(Network(still, Springs(_preloads(still), nothing, nothing, nothing[0] > 0.0)))
+    for machine in joined:
+        at_rest, zero = as_mounted(machine), np.zeros((1, len(machine.bodies)))
+        parts.append(Network(at_rest, Springs(_preloads(at_rest), zero, zero, zero[0] > 0.0)))
     network = Network.side_by_side(parts)
-    start = _seated(network)
+    start = _initial_positions(network)
     state = solve(network, start, np.zeros(start.shape, dtype=bool), start)
     return state.parts([1] * len(parts))
 
 
 def springs(spindle: Spindle, joined: Arrangement, rest: Array) -> Springs:
-    """Springs acting about the place at rest (1, bodies).
+    """Return the springs, which act about the positions ``rest`` (1, bodies) [m].
 
-    Linear supports hold the shaft along the axis without force at rest, where it is at them.
+    Linear supports hold the shaft along the axis by a spring that is without force at rest, at the
+    position of the supports.
     """
     fixed = np.array([False, *map(rigid, joined.pushes)])
-    along = sum(support.along for support in spindle.supports)
-    stiffness = np.array([[along, *(push.stiffness for push in joined.pushes)]])
+    axial = sum(support.along for support in spindle.supports)
+    stiffness = np.array([[axial, *(push.stiffness for push in joined.pushes)]])
     shift = np.multiply.outer(joined.support_shift, np.arange(len(fixed)) == SHAFT)
     return Springs(_preloads(joined), np.where(fixed, 0.0, stiffness), rest - shift, fixed)
 
 
 def limits(joined: Arrangement, rest: Array) -> Array:
-    """Where each stop ends the travel (bodies,); NaN without one."""
+    """Return the positions at which stops end the travel (bodies,) [m]; NaN without a stop."""
     travel = [push.travel if has_stop(push) else np.nan for push in joined.pushes]
     return rest - joined.direction * [np.nan, *travel]
 
@@ -53,24 +54,24 @@ def _preloads(joined: Arrangement) -> Array:
     return joined.direction[None] * [0.0, *(push.preload for push in joined.pushes)]
 
 
-def _seated(network: Network) -> Array:
-    """A start at rest (machines, bodies): each bearing under its likely load, fitted by
-    positions."""
+def _initial_positions(network: Network) -> Array:
+    """Estimate the positions at rest (machines, bodies) [m]: least-squares fit to the deflections
+    of bearings under their likely loads."""
     b, tandem, force = network.incidence, network.tandem, network.springs.force
     share = np.linalg.lstsq((tandem[:, None] * b).T, force.T, rcond=None)[0].T
     largest = np.abs(force).max(axis=1, keepdims=True)
-    # a bearing that takes thrust one way begins pressed, however the springs may share their force
+    # a bearing with thrust one way starts loaded, whatever its share of the spring forces
     likely = np.maximum(np.where(network.both_ways, np.abs(share), share), 0.05 * largest + 1.0)
     likely = np.where(network.both_ways, np.copysign(likely, share), likely)
     load = np.zeros((*likely.shape, 5))
     load[..., 0] = likely
     deflection = np.empty(likely.shape)
-    for alike in network.solve_bearings(range(likely.shape[1]), None, load=load).values():
-        deflection[:, alike.places] = alike.state.displacement[..., 0]
+    for batch in network.solve_bearings(range(likely.shape[1]), None, load=load).values():
+        deflection[:, batch.places] = batch.state.displacement[..., 0]
     carries = ~network.both_ways | (np.abs(share) > NO_SHARE * largest)
     return np.stack(
         [
-            np.linalg.lstsq(b[held], each[held], rcond=None)[0]
-            for held, each in zip(carries, deflection, strict=True)
+            np.linalg.lstsq(b[loaded], deflections[loaded], rcond=None)[0]
+            for loaded, deflections in zip(carries, deflection, strict=True)
         ]
     )

@@ -1,7 +1,6 @@
-"""Axial loads of bearings over their deflection as curves, many bearings in one call.
+"""Axial load of bearings over deflection as piecewise linear curves, many bearings in one call.
 
-They are straight between points and coarser than the tables of ``axial_tables``, for the thousands
-of machines of an identification.
+Curves are coarser than the tables of ``axial_tables``, for the many machines of an identification.
 """
 
 from __future__ import annotations
@@ -28,29 +27,29 @@ PARTS = (
     (80.0, 300.1, 10.0),
 )
 SOLVED = np.unique(
-    np.concatenate([*(np.arange(*each) for each in PARTS), 2.0 ** -np.arange(0.0, 8.0), [0.0]])
-)  # deflections at which bearings are solved, beyond where those for both ways begin
+    np.concatenate([*(np.arange(*part) for part in PARTS), 2.0 ** -np.arange(0.0, 8.0), [0.0]])
+)  # deflections at which bearings are solved; with thrust both ways, from the onset of load
 FINE = np.unique(
     np.round(np.concatenate([np.arange(-300.0, 300.1), np.arange(-40.0, 40.0, 0.1)]), 1)
-)  # the spline through them, drawn straight between
-FAR = 5e3  # to which a curve goes on beyond the spline: constant below, straight above
-MOST_KEPT = 400  # curves, of which a fit over many machines would fill the memory
+)  # points of a curve on the spline through the solved ones
+FAR = 5e3  # to which a curve is extended beyond the spline: constant below, linear above
+MOST_KEPT = 400  # curves; those of a fit over many machines would fill the memory
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Curve:
-    """Axial load [N] over deflection [m], never falling; linear between its points."""
+    """Axial load [N] over deflection [m]: non-decreasing, linear between its points."""
 
     deflection: Array
     load: Array
 
     def __call__(self, d: Array) -> Array:
-        """Loads [N]."""
+        """Return the loads [N] at deflections ``d`` [m]."""
         return np.interp(d, self.deflection, self.load)
 
 
 class Inputs(NamedTuple):
-    """What a curve follows from: growths [m], ``speed`` [rad/s]."""
+    """Inputs of a curve: bearing model, its law, growths [m], ``speed`` [rad/s]."""
 
     model: BallBearing
     law: Law | Laws
@@ -66,8 +65,8 @@ class BearingCurves:
     known: dict[Inputs, Curve] = field(default_factory=dict)
 
     def of(self, joined: Arrangement) -> list[list[Curve]]:
-        """The curve of every bearing at every speed."""
-        asked = [
+        """Return the curve of every bearing at every speed, as lists (speeds, bearings)."""
+        requested = [
             [
                 Inputs(b.model, b.law, *map(float, (b.static_growth[k], b.growth[k], omega)))
                 for b in joined.bearings
@@ -75,23 +74,23 @@ class BearingCurves:
             for k, omega in enumerate(joined.speed)
         ]
         missing = {
-            one: bearing.seats[0] + 1
-            for row in asked
-            for one, bearing in zip(row, joined.bearings, strict=True)
-            if one not in self.known
+            key: bearing.seats[0] + 1
+            for row in requested
+            for key, bearing in zip(row, joined.bearings, strict=True)
+            if key not in self.known
         }
-        for one in list(self.known)[: max(0, len(self.known) + len(missing) - MOST_KEPT)]:
-            if not any(one in row for row in asked):
-                del self.known[one]
-        alike: dict[tuple[BallBearing, Law | Laws], list[Inputs]] = {}
-        for one in missing:
-            alike.setdefault((one.model, one.law), []).append(one)
-        for group in alike.values():
+        for key in list(self.known)[: max(0, len(self.known) + len(missing) - MOST_KEPT)]:
+            if not any(key in row for row in requested):
+                del self.known[key]
+        groups: dict[tuple[BallBearing, Law | Laws], list[Inputs]] = {}
+        for key in missing:
+            groups.setdefault((key.model, key.law), []).append(key)
+        for group in groups.values():
             self._solve(group, missing)
-        return [[self.known[one] for one in row] for row in asked]
+        return [[self.known[key] for key in row] for row in requested]
 
     def _solve(self, group: list[Inputs], number: dict[Inputs, int]) -> None:
-        """Bearings of one model and law in one call; ``number`` of each in the spindle."""
+        """Solve bearings of one model and law in one call; ``number`` of each in the spindle."""
         from bearings.ring.tangents import stiffness
 
         model, law, *rest = zip(*group, strict=True)
@@ -111,22 +110,26 @@ class BearingCurves:
         slopes = stiffness(state, "complete")[..., 0, 0]
         lowest = 0.0 if both_ways else turns(model[0], static_growth)
         loads = np.where(place >= lowest, state.load[..., 0], np.nan)
-        for one, at, d, load, slope in zip(group, start[:, 0], place, loads, slopes, strict=True):
-            good = np.isfinite(load) & np.isfinite(slope)
-            if good.sum() < 2:
-                which = f"bearing number {number[one]} of the spindle"
-                raise without_state(which, one.speed, one.growth)
-            points, drawn = np.stack([d, load, slope])[:, good], at + FINE * unit
+        for key, onset, d, load, slope in zip(
+            group, start[:, 0], place, loads, slopes, strict=True
+        ):
+            solved = np.isfinite(load) & np.isfinite(slope)
+            if solved.sum() < 2:
+                which = f"bearing number {number[key]} of the spindle"
+                raise without_state(which, key.speed, key.growth)
+            points, drawn = np.stack([d, load, slope])[:, solved], onset + FINE * unit
             if both_ways:  # the law is odd
                 points, drawn = points[:, points[0] > 0.0], np.union1d(-drawn, drawn)
-                other = points[:, ::-1] * np.array([[-1.0], [-1.0], [1.0]])
-                points = np.concatenate([other, points], axis=1)
-            self.known[one] = _curve(points[0], points[1], points[2], drawn, unit)
+                mirrored = points[:, ::-1] * np.array([[-1.0], [-1.0], [1.0]])
+                points = np.concatenate([mirrored, points], axis=1)
+            self.known[key] = _curve(points[0], points[1], points[2], drawn, unit)
 
 
 def _curve(d: Array, load: Array, slope: Array, drawn: Array, unit: float) -> Curve:
-    """The spline through loads [N] and slopes [N/m] at deflections [m], ``drawn`` at others, and on
-    beyond both ends, ``FAR`` of a ``unit`` [m]."""
+    """Return the curve through loads [N] and slopes [N/m] at deflections ``d`` [m].
+
+    A spline gives its points ``drawn`` [m]; it extends to ``FAR`` times ``unit`` [m] at both ends.
+    """
     from scipy.interpolate import CubicHermiteSpline
 
     inside = drawn[(d[0] <= drawn) & (d[-1] >= drawn)]

@@ -25,9 +25,9 @@ POINTS, WEIGHTS = np.polynomial.legendre.leggauss(5)
 
 @dataclass(frozen=True, eq=False, slots=True)
 class AxialForce:
-    """Forces along the shaft at every state.
+    """Axial forces along the shaft in every state.
 
-    ``station`` (k,) [m] and ``push`` (states, k) [N]: what acts on the shaft there, towards +x;
+    ``station`` (k,) [m] and ``push`` (states, k) [N]: point forces on the shaft, towards +x;
     ``gravity`` [m/s²], towards +x.
     """
 
@@ -37,20 +37,20 @@ class AxialForce:
     gravity: float
 
     def at(self, x: Array) -> Array:
-        """Force in the wall of the shaft at ``x`` (p,) [m], tension positive, (states, p) [N]."""
+        """Return the force in the wall at ``x`` (p,) [m], tension positive (states, p) [N]."""
         order = np.argsort(self.station, kind="stable")
-        none = np.zeros((len(self.push), 1))
-        pushed = np.concatenate([none, np.cumsum(self.push[:, order], axis=1)], axis=1)
+        zero = np.zeros((len(self.push), 1))
+        cumulative = np.concatenate([zero, np.cumsum(self.push[:, order], axis=1)], axis=1)
         in_front = np.searchsorted(self.station[order], x)
-        force = -pushed[:, in_front]
+        force = -cumulative[:, in_front]
         if self.gravity:
             force = force - self.gravity * mass_in_front(self.spindle.shaft, x)
         return np.asarray(force)
 
     def bending(self, x: Array) -> Array:
-        """Force that follows the slope of the shaft at ``x``, tension positive, (states, p) [N].
+        """Return the force in bending at ``x`` (p,) [m], tension positive (states, p) [N].
 
-        A drawbar guided everywhere takes part with its tension, which cancels its compression.
+        The tension of a drawbar guided everywhere acts too; it cancels the shaft's compression.
         """
         bar = self.spindle.drawbar
         if bar is None or bar.contacts:
@@ -59,7 +59,7 @@ class AxialForce:
 
     @property
     def compresses(self) -> bool:
-        """True where some state compresses the shaft against its bending somewhere."""
+        """True if the force that acts in bending is compressive anywhere in any state."""
         ends = np.unique(np.concatenate([self.station, self.spindle.shaft.boundaries]))
         inside = (ends[:-1, None] + np.diff(ends)[:, None] * np.array([1e-6, 1.0 - 1e-6])).ravel()
         force = self.bending(inside)
@@ -74,12 +74,12 @@ def axial_force(
     tension: float = 0.0,
     point_forces: PointForces = (),
 ) -> AxialForce:
-    """Axial force in the shaft of ``spindle`` in every state.
+    """Return the axial force in the shaft of ``spindle`` in every state.
 
     ``seat_load`` (states, seats) [N]: axial loads of the bearings in their own frames, where the
     shaft pushes the inner ring. ``force`` [N] on the front end of the shaft and ``gravity`` [m/s²],
-    both towards +x; ``tension`` [N] pulls at both ends; ``point_forces`` act besides. Supports
-    carry what is left, each by its axial stiffness, or those that are rigid along x.
+    both towards +x; ``tension`` [N] pulls at both ends; ``point_forces`` are added. Supports carry
+    the remainder in proportion to their axial stiffness, or only those that are rigid along x.
 
     Raises
     ------
@@ -87,23 +87,23 @@ def axial_force(
     """
     states, bar, shaft = len(seat_load), spindle.drawbar, spindle.shaft
     thrust = np.array([float(seat.thrust) for seat in spindle.seats])
-    alone = [
+    point_loads = [
         (shaft.start, force - tension),
         (shaft.end, tension),
         *((body.x, gravity * body.mass) for body in spindle.lumped),
         *point_forces,
     ]
     if bar is not None:
-        alone += [(bar.start, bar.force), (bar.end, -bar.force)]
+        point_loads += [(bar.start, bar.force), (bar.end, -bar.force)]
     push = np.concatenate(
-        [-thrust * seat_load, np.tile([value for _, value in alone], (states, 1))], axis=1
+        [-thrust * seat_load, np.tile([value for _, value in point_loads], (states, 1))], axis=1
     )
     weight = 0.0
     if gravity:
         weight = gravity * float(mass_in_front(shaft, np.array([shaft.end]))[0])
-    carried = -(push.sum(axis=1) + weight)
+    remainder = -(push.sum(axis=1) + weight)
     size, share = max(np.abs(push).max(initial=0.0), abs(weight)), _shares(spindle)
-    if not spindle.seats and not share.any() and (np.abs(carried) > BALANCED * size).any():
+    if not spindle.seats and not share.any() and (np.abs(remainder) > BALANCED * size).any():
         raise InvalidInput(
             "nothing holds the shaft along its axis against the axial force and its weight: give "
             "a support the stiffness xx or hold x rigidly, or take tension, which pulls both ends"
@@ -112,10 +112,10 @@ def axial_force(
         spindle=spindle,
         station=np.array(
             [seat.x for seat in spindle.seats]
-            + [x for x, _ in alone]
+            + [x for x, _ in point_loads]
             + [support.x for support in spindle.supports]
         ),
-        push=np.concatenate([push, np.outer(carried, share)], axis=1),
+        push=np.concatenate([push, np.outer(remainder, share)], axis=1),
         gravity=gravity,
     )
     rigid = [k for k, s in enumerate(spindle.supports) if "x" in s.rigid]
@@ -125,16 +125,16 @@ def axial_force(
 
 
 def _shares(spindle: Spindle) -> Array:
-    """What each support carries of an axial force, 0 where none holds the shaft (supports,)."""
-    held = np.array([float("x" in support.rigid) for support in spindle.supports])
-    if not held.any():
-        held = np.array([support.along for support in spindle.supports])
-    return held / held.sum() if held.any() else held
+    """Return the share of each support in an axial force, 0 if none holds the shaft (supports,)."""
+    stiffness = np.array([float("x" in support.rigid) for support in spindle.supports])
+    if not stiffness.any():
+        stiffness = np.array([support.along for support in spindle.supports])
+    return stiffness / stiffness.sum() if stiffness.any() else stiffness
 
 
 def _clamped(forces: AxialForce, rigid: list[int]) -> Array:
-    """What supports ``rigid`` along x push beside the forces ``forces`` (states, rigid): so much
-    that the shaft between two of them is as long as without any force."""
+    """Return the additional forces of supports ``rigid`` along x (states, rigid) [N], which keep
+    the shaft between two of them as long as without any force."""
     joints = forces.spindle.joints
     stations = np.array([forces.spindle.supports[k].x for k in rigid])
     order = np.argsort(stations)
@@ -144,17 +144,17 @@ def _clamped(forces: AxialForce, rigid: list[int]) -> Array:
         marks = np.unique(marks[(low <= marks) & (marks <= high)])
         half = np.diff(marks)[:, None] / 2.0
         x = (marks[:-1, None] + half * (1.0 + POINTS)).ravel()
-        give = (half * WEIGHTS).ravel() / _rigidity(forces.spindle, x)
+        compliance = (half * WEIGHTS).ravel() / _rigidity(forces.spindle, x)
         within = [joint for joint in joints if low < joint.x < high]
         x = np.concatenate([x, [joint.x for joint in within]])
-        give = np.concatenate([give, [1.0 / joint.axial for joint in within]])
-        mean[:, gap] = forces.at(x) @ give / give.sum()
+        compliance = np.concatenate([compliance, [1.0 / joint.axial for joint in within]])
+        mean[:, gap] = forces.at(x) @ compliance / compliance.sum()
     pushes = np.empty((len(mean), len(rigid)))
     pushes[:, order] = np.diff(mean, axis=1)
     return pushes
 
 
 def _rigidity(spindle: Spindle, x: Array) -> Array:
-    """E A (p,) [N] of the shaft at stations ``x`` (p,) [m]."""
-    stiff = [section.material.young_modulus for section in spindle.shaft.sections_at(x)]
-    return np.array(stiff) * [area(*spindle.shaft.diameters_at(at)) for at in x.tolist()]
+    """Return the axial rigidity E A (p,) [N] of the shaft at stations ``x`` (p,) [m]."""
+    moduli = [section.material.young_modulus for section in spindle.shaft.sections_at(x)]
+    return np.array(moduli) * [area(*spindle.shaft.diameters_at(station)) for station in x.tolist()]

@@ -1,7 +1,7 @@
 """Balance of shaft, bearings and axial arrangement under loads across the axis.
 
-Every bearing takes part with all its balls, in the DOF in which it moves: all five of them, or
-(x, y, θz) where everything lies in plane y.
+Every bearing is represented by all its balls, in the DOF in which it moves: all five of them, or
+(x, y, θz) if all motion lies in plane y.
 """
 
 from __future__ import annotations
@@ -29,20 +29,20 @@ if TYPE_CHECKING:
 
 Force = float | Array  # [N], at all speeds or at each (speeds,)
 FORCES = 3  # of the five DOF: x, y, z
-LEAST = 1e-9  # N
+LEAST = 1e-9  # N: keeps relative errors finite without any load
 SOFT = 1e-12  # of the largest stiffness, added where bearings may hold nothing
-SMALL = 1e3
+SMALL = 1e3  # errors are relative to SMALL radial forces at most, the preload over SMALL at least
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Point:
-    """Coordinates (speeds, p + bodies), bearings, their loads and tangents.
+    """Iterate of the balance: coordinates (speeds, p + bodies), bearings, their loads and tangents.
 
-    ``bearings``: by model, at the seats it stands on; ``states``: where each bearing was solved by
-    itself. ``load`` (speeds, seats, f), ``tangent`` (speeds, seats, f, f): in the DOF of the
-    balance, of the spindle; ``imbalance`` (speeds,) of the balls; ``pressure`` (speeds,): largest
-    contact pressure [Pa]; ``lightest`` (speeds, seats): smallest load of a ball on its inner
-    race [N], and ``lightest_ball`` (speeds, seats): which one.
+    ``bearings``: by model, at their seats; ``states``: bearing states where each was solved by
+    itself, else None. ``load`` (speeds, seats, f), ``tangent`` (speeds, seats, f, f): in the DOF of
+    the balance, of the spindle; ``imbalance`` (speeds,) of the balls; ``pressure`` (speeds,):
+    largest contact pressure [Pa]; ``lightest`` (speeds, seats): smallest load of a ball on its
+    inner race [N], and ``lightest_ball`` (speeds, seats): index of that ball.
     """
 
     coordinates: Array
@@ -58,13 +58,13 @@ class Point:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Balance:
-    """Unknowns: p coordinates of the rotor, then the positions of the bodies.
+    """Balance problem: p coordinates of the rotor, then the positions of the bodies are unknown.
 
-    ``dof``: those of a bearing's five in which it moves, f of them; ``bearings``: which
-    bearing of the arrangement stands for each seat; ``rows`` (seats, f, unknowns) give them between
-    the rings, ``offset`` (seats, f) what misaligned seats add; ``rest`` and ``limit`` (bodies,);
-    ``start`` (speeds, unknowns): the state to begin from; ``held`` (speeds, bodies): standing at
-    their stops; ``rubbing``: the friction of bodies.
+    ``dof``: those of a bearing's five in which it moves, f of them; ``bearings``: index of the
+    bearing of the arrangement at each seat; ``rows`` (seats, f, unknowns): DOF between the rings
+    from the unknowns; ``offset`` (seats, f): displacements of misaligned seats; ``rest`` and
+    ``limit`` (bodies,): positions at rest and at stops; ``start`` (speeds, unknowns): initial
+    state; ``held`` (speeds, bodies): bodies at their stops; ``rubbing``: friction of bodies.
     """
 
     dof: tuple[int, ...]
@@ -81,7 +81,7 @@ class Balance:
 
     @classmethod
     def at(cls, state: PreloadState, rotor: StaticRotor, index: Indices) -> Balance:
-        """The problem at some of a preload state's speeds."""
+        """Return the problem at the speeds ``index`` of a preload state."""
         part = state.network.at(index)
         return cls(
             dof=rotor.dof,
@@ -98,7 +98,7 @@ class Balance:
         )
 
     def evaluate(self, coordinates: Array, near: Point | None) -> Point:
-        """Each bearing solved by itself at given coordinates, from where it was ``near`` by."""
+        """Solve each bearing by itself at given coordinates, starting from the iterate ``near``."""
         states = self.network.solve_bearings(
             self.bearings,
             None if near is None else near.states,
@@ -107,7 +107,7 @@ class Balance:
         return self._point(coordinates, BearingIterates.solved(states, self._assembly), states)
 
     def first_point(self, state: PreloadState, index: Indices) -> Point:
-        """The point of the preload state it was made of, with bearings as solved there."""
+        """Return the initial iterate, with the bearings of the preload state where they apply."""
         if state.lateral is not None or self.offset.any() or not state.usable[index].all():
             return self.evaluate(self.start, None)
         states = state.net.response.states
@@ -116,23 +116,23 @@ class Balance:
 
     @property
     def _assembly(self) -> Callable[[Geometry], Assembly]:
-        """Which balls are solved: half of them where everything lies in plane y."""
+        """Balls that are solved: half of them if all motion lies in plane y."""
         return half_assembly if self.dof == PLANE else full_assembly
 
     def advance(self, coordinates: Array, near: Point) -> Point:
-        """Bearings moved to given coordinates, their balls by a Newton step."""
+        """Move bearings to given coordinates, their balls by one Newton step."""
         return self._point(coordinates, near.bearings.moved(self._displacement(coordinates)))
 
     def guessed(self, guess: list[Array], near: Point) -> Point:
-        """Coordinates and balls where a guess has them, as far as bodies can move."""
+        """Return the iterate of guessed coordinates and balls, bodies that cannot move in place."""
         coordinates = self.placed(guess[0])
         displacement = self._displacement(coordinates)
         return self._point(coordinates, near.bearings.at(displacement, guess[1:]))
 
     def balls_along(self, here: Point, change: Array) -> list[Array]:
-        """What the balls of each bearing model do with a ``change`` of the coordinates."""
-        moved = self.bearing_motion(change)
-        return [each.along(moved[:, places]) for places, each in here.bearings]
+        """Return the change of the balls of each bearing model for a ``change`` of coordinates."""
+        motion = self.bearing_motion(change)
+        return [balls.along(motion[:, places]) for places, balls in here.bearings]
 
     def _point(
         self, coordinates: Array, bearings: BearingIterates, states: States | None = None
@@ -162,34 +162,34 @@ class Balance:
 
     @property
     def _forces(self) -> list[int]:
-        """Places of x, y and z among the DOF."""
+        """Indices of x, y and z in ``dof``."""
         return [place for place, number in enumerate(self.dof) if number < FORCES]
 
     @property
     def _seats(self) -> list[AxialBearing]:
-        """The bearing of every seat."""
+        """Bearing of the arrangement at every seat."""
         return [self.network.arrangement.bearings[k] for k in self.bearings]
 
     @property
     def thrust(self) -> Array:
-        """1 of bearings that a push towards +x loads, −1 of the others (seats,)."""
+        """Thrust of the seats (seats,): 1 where a push towards +x loads the bearing, else −1."""
         return np.array([float(bearing.thrust) for bearing in self._seats])
 
     @property
     def _sign(self) -> Array:
-        """From the DOF of the spindle to those of a bearing (seats, f)."""
-        turned = np.array([HALF_TURN_ABOUT_Y if b.thrust < 0 else np.ones(5) for b in self._seats])
-        return turned[:, list(self.dof)]
+        """Signs that map the DOF of the spindle to those of a bearing (seats, f)."""
+        signs = np.array([HALF_TURN_ABOUT_Y if b.thrust < 0 else np.ones(5) for b in self._seats])
+        return signs[:, list(self.dof)]
 
     def bearing_motion(self, coordinates: Array) -> Array:
-        """Five DOF of every bearing (speeds, seats, 5) from the unknowns."""
-        moved = np.einsum("kiu,su->ski", self.rows, coordinates) * self._sign
-        motion = np.zeros((*moved.shape[:2], 5))
-        motion[..., list(self.dof)] = moved
+        """Return the five DOF of every bearing (speeds, seats, 5) from the unknowns."""
+        active = np.einsum("kiu,su->ski", self.rows, coordinates) * self._sign
+        motion = np.zeros((*active.shape[:2], 5))
+        motion[..., list(self.dof)] = active
         return motion
 
     def _displacement(self, coordinates: Array) -> Array:
-        """Displacements of the bearings (speeds, seats, 5), the shaft's shortening included."""
+        """Return bearing displacements (speeds, seats, 5), misalignment and shortening included."""
         shift = np.stack([b.thrust * b.shortening for b in self._seats], axis=1)
         displacement = self.bearing_motion(coordinates)
         displacement[..., list(self.dof)] += self.offset * self._sign
@@ -203,113 +203,116 @@ class Balance:
         fixed = self.held | self.rubbing.stuck | self.network.springs.fixed
         return np.concatenate([free, fixed], axis=1)
 
-    def matrix(self, here: Point) -> Array:
-        """Tangent of all forces; fixed unknowns replaced by themselves."""
+    def matrix(self, point: Point) -> Array:
+        """Return the tangent of all forces; fixed unknowns have a diagonal entry only."""
         p, springs = len(self.rotor.point), self.network.springs
-        k = np.einsum("kiu,skij,kjv->suv", self.rows, here.tangent, self.rows, optimize=True)
+        k = np.einsum("kiu,skij,kjv->suv", self.rows, point.tangent, self.rows, optimize=True)
         k[:, :p, :p] += self.rotor.stiffness
         bodies = p + np.arange(springs.stiffness.shape[1])
         k[:, bodies, bodies] += springs.stiffness
         fixed = self._fixed
         k = np.where(fixed[:, :, None] | fixed[:, None, :], 0.0, k)
-        every = np.arange(k.shape[1])
+        diagonal = np.arange(k.shape[1])
         largest = np.abs(k).max(axis=(1, 2))[:, None]
         largest = np.where(largest > 0.0, largest, 1.0)
-        soft = SOFT * (self.slack(here) | (self.dof != PLANE))[:, None]
-        k[:, every, every] += largest * np.where(fixed, 1.0, soft)
+        soft = SOFT * (self.slack(point) | (self.dof != PLANE))[:, None]
+        # fixed rows as large as the others keep the matrix well conditioned
+        k[:, diagonal, diagonal] += largest * np.where(fixed, 1.0, soft)
         return k
 
-    def slack(self, here: Point) -> Flags:
-        """Some bearing holds nothing (speeds,)."""
-        return np.asarray((np.abs(here.tangent).max(axis=(2, 3)) == 0.0).any(axis=1))
+    def slack(self, point: Point) -> Flags:
+        """True at speeds where some bearing has no stiffness (speeds,)."""
+        return np.asarray((np.abs(point.tangent).max(axis=(2, 3)) == 0.0).any(axis=1))
 
-    def _unbalanced(self, here: Point, force: Force) -> Array:
-        """Forces not balanced at the free unknowns (speeds, unknowns)."""
+    def _unbalanced(self, point: Point, force: Force) -> Array:
+        """Return the residual forces at the free unknowns (speeds, unknowns)."""
         p, springs = len(self.rotor.point), self.network.springs
-        total = -np.einsum("kiu,ski->su", self.rows, here.load)
-        total[:, :p] += self.rotor.constant + np.multiply.outer(force, self.rotor.point)
-        total[:, :p] -= np.einsum("sij,sj->si", self.rotor.stiffness, here.coordinates[:, :p])
-        total[:, p:] += springs.force - springs.stiffness * (here.coordinates[:, p:] - springs.rest)
-        total[:, p:] += self.rubbing.force
-        total[:, p + SHAFT] += self.network.arrangement.force
-        return np.where(self._fixed, 0.0, total)
+        residual = -np.einsum("kiu,ski->su", self.rows, point.load)
+        residual[:, :p] += self.rotor.constant + np.multiply.outer(force, self.rotor.point)
+        residual[:, :p] -= np.einsum("sij,sj->si", self.rotor.stiffness, point.coordinates[:, :p])
+        residual[:, p:] += springs.force - springs.stiffness * (
+            point.coordinates[:, p:] - springs.rest
+        )
+        residual[:, p:] += self.rubbing.force
+        residual[:, p + SHAFT] += self.network.arrangement.force
+        return np.where(self._fixed, 0.0, residual)
 
-    def per_newton(self, here: Point, alive: Flags) -> Array:
-        """Change of the unknowns per newton of radial force where ``alive`` (speeds, unknowns)."""
+    def per_newton(self, point: Point, alive: Flags) -> Array:
+        """Return unknowns per newton of radial force where ``alive`` (speeds, unknowns)."""
         unit = np.zeros((len(self.held), self.rows.shape[2], 1))
         unit[:, : len(self.rotor.point), 0] = self.rotor.point
-        matrix = np.where(alive[:, None, None], self.matrix(here), np.eye(unit.shape[1]))
+        matrix = np.where(alive[:, None, None], self.matrix(point), np.eye(unit.shape[1]))
         return np.asarray(np.linalg.solve(matrix, unit)[..., 0])
 
-    def error(self, here: Point, force: Force) -> Array:
-        """Largest unbalanced force of balls and shaft over the largest force (speeds,)."""
-        return self.errors(here, force)[1]
+    def error(self, point: Point, force: Force) -> Array:
+        """Return the largest residual force of balls and shaft over the largest force (speeds,)."""
+        return self.errors(point, force)[1]
 
-    def errors(self, here: Point, force: Force) -> tuple[Array, Array]:
-        """Unbalanced forces, and the largest of balls and shaft, each over its largest force; of a
-        radial force that is small beside the preload, over ``SMALL`` times that."""
-        miss = self._unbalanced(here, force)
-        acting = np.abs(force)
-        size = np.maximum(np.abs(here.load[..., self._forces]).max(axis=(1, 2)), acting)
-        size = size + np.abs(self.network.springs.force).max(axis=1) + LEAST
-        size = np.minimum(size, np.maximum(SMALL * acting, size / SMALL))
-        shaft = np.abs(miss).max(axis=1) / size
-        return miss, np.maximum(shaft, here.imbalance)
+    def errors(self, point: Point, force: Force) -> tuple[Array, Array]:
+        """Return residual forces, and the largest of balls and shaft, each over its largest force;
+        over at most ``SMALL`` times a radial force that is small compared with the preload."""
+        residual = self._unbalanced(point, force)
+        radial = np.abs(force)
+        reference = np.maximum(np.abs(point.load[..., self._forces]).max(axis=(1, 2)), radial)
+        reference = reference + np.abs(self.network.springs.force).max(axis=1) + LEAST
+        reference = np.minimum(reference, np.maximum(SMALL * radial, reference / SMALL))
+        shaft = np.abs(residual).max(axis=1) / reference
+        return residual, np.maximum(shaft, point.imbalance)
 
     def placed(self, coordinates: Array) -> Array:
-        """Coordinates with every body that cannot move where it stands."""
+        """Return coordinates with every body that cannot move in its position."""
         p, springs = len(self.rotor.point), self.network.springs
         position = np.where(self.rubbing.stuck, self.rubbing.place, coordinates[:, p:])
         position = np.where(self.held, self.limit, position)
         position = np.where(springs.fixed, springs.rest, position)
         return np.concatenate([coordinates[:, :p], position], axis=1)
 
-    def begun(self, here: Point) -> Balance:
-        """The same where a step of the loads begins ``here``: sleeves slide away from there."""
-        position = here.coordinates[:, len(self.rotor.point) :]
+    def begun(self, point: Point) -> Balance:
+        """Return the problem of a load step that begins at ``point``: sleeves slide from there."""
+        position = point.coordinates[:, len(self.rotor.point) :]
         return replace(self, rubbing=replace(self.rubbing, begun=position))
 
     def where(self, rows: Flags, other: Balance) -> Balance:
-        """Stops and friction of this one at some speeds, those of ``other`` at the rest."""
+        """Return the problem with these stops and friction at ``rows``, elsewhere ``other``'s."""
         held = np.where(rows[:, None], self.held, other.held)
         return replace(self, held=held, rubbing=self.rubbing.where(rows, other.rubbing))
 
     def differs(self, other: Balance) -> Flags:
-        """Speeds at which another body stands at a stop or sticks."""
+        """True at speeds where another body stands at a stop or sticks (speeds,)."""
         change = (self.held != other.held) | (self.rubbing.stuck != other.rubbing.stuck)
         return np.asarray(change.any(axis=1))
 
-    def with_contacts(self, here: Point) -> Balance:
-        """The same with the bodies at their stops that belong there, and friction as it must be."""
-        p, none = len(self.rotor.point), np.zeros_like(self.held)
-        free = replace(self, held=none, rubbing=replace(self.rubbing, stuck=none))
-        force, position = free._unbalanced(here, 0.0)[:, p:], here.coordinates[:, p:]
+    def with_contacts(self, point: Point) -> Balance:
+        """Return the problem with stops and friction as they must be at ``point``."""
+        p, never = len(self.rotor.point), np.zeros_like(self.held)
+        free = replace(self, held=never, rubbing=replace(self.rubbing, stuck=never))
+        force, position = free._unbalanced(point, 0.0)[:, p:], point.coordinates[:, p:]
         held = stops_wanted(self.network, position, force, self.held, self.limit)
         bare = force - self.rubbing.force
         rubbing = self.rubbing.after(bare, position, self.held, held)
         return replace(self, held=held, rubbing=rubbing)
 
-    def friction(self, here: Point) -> Array:
-        """Friction on the bodies (speeds, bodies) [N]."""
-        p, none = len(self.rotor.point), np.zeros_like(self.held)
-        rubbing = replace(self.rubbing, stuck=none, force=0.0 * self.rubbing.force)
-        bare = replace(self, held=none, rubbing=rubbing)._unbalanced(here, 0.0)[:, p:]
+    def friction(self, point: Point) -> Array:
+        """Return the friction on the bodies (speeds, bodies) [N]."""
+        p, never = len(self.rotor.point), np.zeros_like(self.held)
+        rubbing = replace(self.rubbing, stuck=never, force=0.0 * self.rubbing.force)
+        bare = replace(self, held=never, rubbing=rubbing)._unbalanced(point, 0.0)[:, p:]
         return np.where(self.rubbing.stuck, -bare, self.rubbing.force)
 
     def travel(self, coordinates: Array) -> Array:
-        """How far each body has moved from rest against its spring (speeds, bodies) [m]."""
-        moved = coordinates[:, len(self.rotor.point) :] - self.rest
-        return -self.network.arrangement.direction * moved
+        """Return the travel of each body from rest against its spring (speeds, bodies) [m]."""
+        displacement = coordinates[:, len(self.rotor.point) :] - self.rest
+        return -self.network.arrangement.direction * displacement
 
 
 def _offset(spindle: Spindle, dof: tuple[int, ...]) -> Array:
-    """What misaligned seats add to the displacements of bearings (seats, f) [m, rad]."""
+    """Return the displacements of bearings at misaligned seats (seats, f) [m, rad]."""
     offsets = np.array([(0.0, *seat.misalignment.offset) for seat in spindle.seats])
     return -offsets.reshape(-1, 5)[:, list(dof)]
 
 
 def _rows(network: Network, rotor: StaticRotor) -> Array:
-    """The DOF between the rings of every seat, in the unknowns."""
+    """Return the map (seats, f, unknowns) from the unknowns to the DOF between the rings."""
     p, bodies = len(rotor.point), len(network.arrangement.bodies)
     rows = np.zeros((len(rotor.seats), len(rotor.dof), p + bodies))
     rows[:, 1:, :p] = rotor.seats

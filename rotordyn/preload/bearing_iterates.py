@@ -1,6 +1,6 @@
-"""The bearings of an arrangement, by model and law: solved by themselves, or on the way to balance.
+"""Bearings of an arrangement by model and law: solved states, and iterates of a balance.
 
-Whoever moves the shaft moves all of them at once, balls included (``bearings.ring.iterate``).
+A motion of the shaft moves all of them at once, balls included (``bearings.ring.iterate``).
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Solved:
-    """States of one model and law: which of the places asked for, the batch (speeds, places)."""
+    """Batch (speeds, places) of states of one model and law, and its ``places`` in the request."""
 
     places: list[int]
     state: BearingState
@@ -36,13 +36,13 @@ States = dict[Alike, Solved]
 
 @dataclass(frozen=True, eq=False, slots=True)
 class BearingIterates:
-    """By model and law: the places of such bearings, their balls, a batch (speeds, places)."""
+    """Iterates by model and law: places of such bearings, batch (speeds, places) of their balls."""
 
     of: dict[Alike, tuple[list[int], Any]]  # ``Iterate``, or ``Settled``
 
     @classmethod
     def solved(cls, states: States, ring: Callable[[Geometry], Assembly]) -> BearingIterates:
-        """Bearings that were solved by themselves; ``ring`` says which of their balls move on."""
+        """Return iterates of solved bearings; ``ring`` selects the balls that move on."""
         from bearings.ring.iterate import iterate
 
         return cls({k: (balls.places, iterate(balls.state, ring)) for k, balls in states.items()})
@@ -55,49 +55,49 @@ class BearingIterates:
         rows: Indices,
         ring: Callable[[Geometry], Assembly],
     ) -> BearingIterates:
-        """The same at some of their speeds; which of ``bearings`` solved stands at every place."""
+        """Return iterates at speeds ``rows``; ``bearings``: the solved one at each place."""
         from bearings.ring.iterate import iterate
 
         of = {}
-        for alike, balls in states.items():
+        for kind, balls in states.items():
             columns = {bearing: k for k, bearing in enumerate(balls.places)}
             places = [k for k, bearing in enumerate(bearings) if bearing in columns]
             at = np.array([columns[bearings[k]] for k in places])
-            of[alike] = places, iterate(balls.state.rows(np.ix_(rows, at)), ring)
+            of[kind] = places, iterate(balls.state.rows(np.ix_(rows, at)), ring)
         return cls(of)
 
     def __iter__(self) -> Iterator[tuple[list[int], Any]]:
         return iter(self.of.values())
 
     def moved(self, displacement: Array) -> BearingIterates:
-        """Rings at ``displacement`` (speeds, places, 5), every ball one Newton step on."""
+        """Move rings to ``displacement`` (speeds, places, 5), every ball by one Newton step."""
         return BearingIterates(
             {
-                k: (places, one.moved(displacement[:, places]))
-                for k, (places, one) in self.of.items()
+                k: (places, batch.moved(displacement[:, places]))
+                for k, (places, batch) in self.of.items()
             }
         )
 
     def at(self, displacement: Array, balls: Sequence[Array]) -> BearingIterates:
-        """Rings at ``displacement`` (speeds, places, 5), the balls of each group placed too."""
+        """Place rings at ``displacement`` (speeds, places, 5), and the balls of each group."""
         return BearingIterates(
             {
-                k: (places, one.at(displacement[:, places], ball))
-                for (k, (places, one)), ball in zip(self.of.items(), balls, strict=True)
+                k: (places, batch.at(displacement[:, places], ball))
+                for (k, (places, batch)), ball in zip(self.of.items(), balls, strict=True)
             }
         )
 
     def follows(self, before: BearingIterates) -> Flags:
-        """Speeds at which every ball is still where it can come to from ``before`` (speeds,)."""
-        near = [one.follows(before.of[k][1]).all(axis=1) for k, (_, one) in self.of.items()]
-        return np.all(near, axis=0)
+        """True at speeds where every ball is on the branch of its place in ``before`` (speeds,)."""
+        followed = [batch.follows(before.of[k][1]).all(axis=1) for k, (_, batch) in self.of.items()]
+        return np.all(followed, axis=0)
 
     @property
     def imbalance(self) -> Array:
-        """Largest force a ball lacks over the largest ball load of its bearing (speeds,)."""
-        return np.max([one.error.max(axis=1) for _, one in self], axis=0)
+        """Largest residual force on a ball over the largest ball load of its bearing (speeds,)."""
+        return np.max([batch.error.max(axis=1) for _, batch in self], axis=0)
 
     @property
     def pressure(self) -> Array:
         """Largest contact pressure of all balls (speeds,) [Pa]."""
-        return np.max([one.pressure.max(axis=1) for _, one in self], axis=0)
+        return np.max([batch.pressure.max(axis=1) for _, batch in self], axis=0)

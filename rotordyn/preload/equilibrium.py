@@ -10,102 +10,104 @@ from rotordyn.arrays import Array, Flags
 from rotordyn.preload.network import Network, NetworkState, Response
 
 TOLERANCE = 1e-11  # of the largest force
-CONFIRMED = 1e-8  # of the largest force, of an equilibrium whose bearings are solved once more
-DIGITS = 1e-13  # of the largest force: more is less with another step
-BALLS = 1e-9  # of the largest ball load: what is left of it acts on the rings squared
-TOGETHER = 12  # iterations
-ITERATIONS = 60
-HALVINGS = 12
+CONFIRMED = 1e-8  # of the largest force, for an equilibrium whose bearings are solved once more
+DIGITS = 1e-13  # of the largest force: another step reduces a larger error
+BALLS = 1e-9  # of the largest ball load: its effect on the rings is of second order
+TOGETHER = 12  # iterations of bodies and balls together
+ITERATIONS = 60  # with every bearing solved by itself
+HALVINGS = 12  # of a step, at most
 LONGEST_STEP = 50e-6  # m
-LEVEL = 1e-6  # by which the balance may seem worse where it does not change
+LEVEL = 1e-6  # relative increase of the error that counts as none, as rounding may cause
 
 
 def solve(
     network: Network, position: Array, held: Flags, limit: Array, near: Response | None = None
 ) -> NetworkState:
-    """Newton from ``position``; bodies ``held`` stay at ``limit`` (speeds or 1, bodies).
+    """Solve for the equilibrium; bodies ``held`` stay at ``limit`` (speeds or 1, bodies).
 
-    Bodies and balls together; where that fails in shortened steps with every bearing solved by
-    itself, and so at the end where balls know two branches. ``near``: bearings close to those
-    sought, which only speed the search up.
+    From ``position``, bodies and balls are iterated together; where that fails, or where balls may
+    have two branches, every bearing is solved by itself and steps are shortened. ``near``: response
+    of bearings close to the solution, which only speeds up the search.
     """
     springs = network.springs
     fixed = held | springs.fixed
     x = np.where(held, limit, np.where(springs.fixed, springs.rest, position))
-    quick = _together(network, x, held, near)
-    if network.one_branch and quick.converged.all():
-        return quick
-    x, response = _apart(network, x, quick, fixed)
-    balanced = quick.converged & (x == quick.position).all(axis=1)
-    enough = np.where(balanced, CONFIRMED, TOLERANCE)
-    stuck = np.zeros(len(x), dtype=bool)
+    joint = _together(network, x, held, near)
+    if network.one_branch and joint.converged.all():
+        return joint
+    x, response = _separately(network, x, joint, fixed)
+    balanced = joint.converged & (x == joint.position).all(axis=1)
+    tolerance = np.where(balanced, CONFIRMED, TOLERANCE)
+    stalled = np.zeros(len(x), dtype=bool)
     for _ in range(ITERATIONS):
-        miss, error = network.error(x, response, fixed)
-        moving = np.isfinite(error) & (error >= enough) & ~stuck
+        residual, error = network.error(x, response, fixed)
+        moving = np.isfinite(error) & (error >= tolerance) & ~stalled
         if not moving.any():
             break
-        step = np.where(moving[:, None], _newton(network, response, miss, fixed), 0.0)
-        x, response, helped = _advance(network, x, step, response, fixed, miss)
-        stuck |= moving & ~helped
+        step = np.where(moving[:, None], _newton(network, response, residual, fixed), 0.0)
+        x, response, helped = _advance(network, x, step, response, fixed, residual)
+        stalled |= moving & ~helped
     error = network.error(x, response, fixed)[1]
-    return NetworkState(x, held, response, error, error < enough)
+    return NetworkState(x, held, response, error, error < tolerance)
 
 
 def _together(network: Network, x: Array, held: Flags, near: Response | None) -> NetworkState:
-    """Newton of bodies and balls, no step shortened; none may turn a ball's angles far."""
+    """Take whole Newton steps of bodies and balls; none may turn a ball's angles far."""
     fixed = held | network.springs.fixed
     if near is None:
-        response, near_by = network.begin(x), np.ones(len(x), dtype=bool)
+        response, close = network.begin(x), np.ones(len(x), dtype=bool)
     else:
         response = network.move(x, near)
-        near_by = response.bearings.follows(near.bearings)
+        close = response.bearings.follows(near.bearings)
     for _ in range(TOGETHER):
-        miss, error = network.error(x, response, fixed)
+        residual, error = network.error(x, response, fixed)
         balanced = response.bearings.imbalance < BALLS
         moving = np.isfinite(error) & ~((error < TOLERANCE) & balanced)
         if not moving.any():
             break
-        x = x + np.where(moving[:, None], _newton(network, response, miss, fixed), 0.0)
-        before, response = response, network.move(x, response)
-        near_by &= response.bearings.follows(before.bearings)
-    miss, error = network.error(x, response, fixed)
+        x = x + np.where(moving[:, None], _newton(network, response, residual, fixed), 0.0)
+        previous, response = response, network.move(x, response)
+        close &= response.bearings.follows(previous.bearings)
+    residual, error = network.error(x, response, fixed)
     with np.errstate(invalid="ignore"):
         rough = np.isfinite(error) & (error > DIGITS)
-    if rough.any():  # answers do not say how balls were found
-        x = x + np.where(rough[:, None], _newton(network, response, miss, fixed), 0.0)
+    if rough.any():  # results must not depend on the path of the search
+        x = x + np.where(rough[:, None], _newton(network, response, residual, fixed), 0.0)
         response = network.move(x, response)
         error = network.error(x, response, fixed)[1]
-    converged = (error < TOLERANCE) & (response.bearings.imbalance < BALLS) & near_by
+    converged = (error < TOLERANCE) & (response.bearings.imbalance < BALLS) & close
     return NetworkState(x, held, response, error, converged)
 
 
-def _apart(network: Network, x: Array, quick: NetworkState, fixed: Flags) -> tuple[Array, Response]:
-    """Every bearing solved by itself where ``_together`` has led, or at ``x`` where that is no
-    equilibrium of such bearings: balls followed from place to place may be on another branch."""
-    there = np.where(quick.converged[:, None], quick.position, x)
-    response = network.respond(there)
-    error = network.error(there, response, fixed)[1]
+def _separately(
+    network: Network, x: Array, quick: NetworkState, fixed: Flags
+) -> tuple[Array, Response]:
+    """Solve every bearing by itself at the joint solution ``quick``, or at ``x`` where that is not
+    an equilibrium of such bearings: balls followed step by step may be on another branch."""
+    candidate = np.where(quick.converged[:, None], quick.position, x)
+    response = network.respond(candidate)
+    error = network.error(candidate, response, fixed)[1]
     astray = quick.converged & ~(error < CONFIRMED)
     if not astray.any():
-        return there, response
-    x = np.where(astray[:, None], x, there)
+        return candidate, response
+    x = np.where(astray[:, None], x, candidate)
     return x, network.respond(x)
 
 
 def confirmed(network: Network, net: NetworkState) -> NetworkState:
-    """The same equilibrium with every bearing solved anew from its convex start.
+    """Return the same equilibrium with every bearing solved anew from its convex start.
 
-    What was found by following neighbours stands only if no neighbour is needed to find it again.
+    A solution found by following neighbours is accepted only if it is reproduced without them.
     """
     if not any(np.any(bearing.law.one_branch) for bearing in network.arrangement.bearings):
-        return replace(net, converged=net.error < CONFIRMED)  # none was followed at the end
+        return replace(net, converged=net.error < CONFIRMED)  # all were solved by themselves
     response = network.respond(net.position)
     error = network.error(net.position, response, net.held | network.springs.fixed)[1]
     return NetworkState(net.position, net.held, response, error, error < CONFIRMED)
 
 
 def _newton(network: Network, response: Response, miss: Array, fixed: Flags) -> Array:
-    """Step that balances the linearised forces; what nothing holds gets a soft spring."""
+    """Return the step that balances the linearised forces; a free body gets a soft spring."""
     b, stiffness = network.incidence, network.springs.stiffness
     slope = network.tandem * np.where(response.slope > 0.0, response.slope, 0.0)
     k = np.einsum("jn,sj,jm->snm", b, slope, b)
@@ -124,21 +126,21 @@ def _advance(
 ) -> tuple[Array, Response, Flags]:
     """Take the step, halved at the speeds where the balance would get worse or no state exists.
 
-    What counts is ``miss`` [N] itself; its share of the largest load would grow where loads fall.
-    Within the play of a bearing the balance stays as it is: such a step is taken whole, towards the
-    end of the play. Also the speeds where it helped; at the others nothing moved.
+    The criterion is ``miss`` [N] itself; its share of the largest load would grow where loads fall.
+    Within the play of a bearing the balance does not change: such a step is taken whole, towards
+    the end of the play. Also returns where the step helped; elsewhere nothing moved.
     """
-    playing = (near.load == 0.0).any(axis=1)
-    here = np.abs(miss).max(axis=1)
-    bound = np.where(playing, here * (1.0 + LEVEL), here)
+    in_play = (near.load == 0.0).any(axis=1)
+    current = np.abs(miss).max(axis=1)
+    bound = np.where(in_play, current * (1.0 + LEVEL), current)
     length = np.ones(len(x))
-    idle = (np.abs(step).max(axis=1) < 1e-16) | ~np.isfinite(here)
-    for left in range(HALVINGS, -1, -1):
+    idle = (np.abs(step).max(axis=1) < 1e-16) | ~np.isfinite(current)
+    for remaining in range(HALVINGS, -1, -1):
         trial = x + length[:, None] * step
         response = network.respond(trial, near)
-        after = np.abs(network.error(trial, response, fixed)[0]).max(axis=1)
-        good = idle | (after < bound)
-        if good.all():
+        new = np.abs(network.error(trial, response, fixed)[0]).max(axis=1)
+        accepted = idle | (new < bound)
+        if accepted.all():
             break
-        length = np.where(good, length, 0.5 * length if left > 1 else 0.0)
+        length = np.where(accepted, length, 0.5 * length if remaining > 1 else 0.0)
     return trial, response, length > 0.0

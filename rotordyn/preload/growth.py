@@ -29,14 +29,14 @@ if TYPE_CHECKING:
 
 
 class Fit(NamedTuple):
-    """Where a ring sits: ``radius`` of the fit and ``interference`` on the radius [m]."""
+    """Fit of a ring: ``radius`` of the fit and ``interference`` on the radius [m]."""
 
     radius: float
     interference: float
 
 
 def static_growth(spindle: Spindle, seat: BearingSeat) -> float:
-    """Growth of a seat at rest and at the reference temperature, as mounted [m]."""
+    """Return the growth of a seat at rest and at the reference temperature, as mounted [m]."""
     if seat.fits is None:
         return seat.growth.static
     return float(_fitted(spindle, seat, np.zeros(1), None)[0])
@@ -45,9 +45,9 @@ def static_growth(spindle: Spindle, seat: BearingSeat) -> float:
 def ring_growth(
     spindle: Spindle, seat: BearingSeat, speed: Array, temperatures: Temperatures | None = None
 ) -> Array:
-    """Total growth Δu of a seat at every speed [rad/s], static part included (speeds,) [m].
+    """Return the growth Δu of a seat at every speed [rad/s], static part included (speeds,) [m].
 
-    All of it follows from the fits where they are given; else ``growth.static`` is that as mounted.
+    It follows from the fits where they are given; else ``growth.static`` is the growth as mounted.
     """
     static, rule = seat.growth.static, seat.growth.centrifugal
     if seat.fits is not None:
@@ -55,28 +55,28 @@ def ring_growth(
     if seat.growth.fitted is not None:
         mounted = _fitted(spindle, seat, np.zeros(1), None)
         return static + _fitted(spindle, seat, speed, temperatures) - mounted
-    grown = np.full_like(speed, static)
+    growth = np.full_like(speed, static)
     if isinstance(rule, QuadraticInSpeed):
-        grown = grown + rule.value * (speed / rule.speed) ** 2
+        growth = growth + rule.value * (speed / rule.speed) ** 2
     if temperatures is not None:  # rings without a fit expand freely, whatever the speed
-        grown = grown + _fitted(spindle, seat, speed, temperatures)
-    return grown
+        growth = growth + _fitted(spindle, seat, speed, temperatures)
+    return growth
 
 
 def thermal_shift(
     seat: BearingSeat, speed: Array, temperatures: Temperatures | None = None
 ) -> Array:
-    """Axial shift of the inner groove, the way that loads the bearing, by thermal growth of the
-    balls beyond that of the rings beside them (speeds,) [m]."""
-    return _swollen(seat, speed, temperatures)[1]
+    """Return the axial shift of the inner groove, in the direction that loads the bearing, due to
+    thermal growth of the balls beyond that of the adjacent rings (speeds,) [m]."""
+    return _ball_growth(seat, speed, temperatures)[1]
 
 
-def _swollen(
+def _ball_growth(
     seat: BearingSeat, speed: Array, temperatures: Temperatures | None
 ) -> tuple[Array, Array]:
-    """What thermal growth of the balls adds to growth and shift (speeds,) [m]."""
+    """Return growth and axial shift due to thermal growth of the balls (speeds,) [m]."""
     rises = _rises(seat, speed, temperatures)
-    if temperatures is None:  # without what computes it
+    if temperatures is None:  # zero; saves the import
         return rises.balls, rises.balls
     from bearings.heat.temperature import swollen
 
@@ -86,15 +86,15 @@ def _swollen(
 def _fitted(
     spindle: Spindle, seat: BearingSeat, speed: Array, temperatures: Temperatures | None
 ) -> Array:
-    """Growth of both rings with what they sit on, and of the balls (speeds,) [m]."""
+    """Return the growth of both rings on shaft and in housing, and of the balls (speeds,) [m]."""
     bearing = seat.bearing
     inner = np.empty_like(speed)
-    outer = _under_balls(seat, speed, bearing.outer_raceway_radius)
+    outer = _growth_by_balls(seat, speed, bearing.outer_raceway_radius)
     for rows, state in inner_ring(spindle, seat, speed, temperatures):
         inner[rows] = state.radial_growth(bearing.inner_raceway_radius)
     for rows, state in outer_ring(seat, speed, temperatures):
         outer[rows] += state.radial_growth(bearing.outer_raceway_radius, body=0)
-    return inner - outer + _swollen(seat, speed, temperatures)[0]
+    return inner - outer + _ball_growth(seat, speed, temperatures)[0]
 
 
 def inner_ring(
@@ -103,9 +103,9 @@ def inner_ring(
     speed: Array,
     temperatures: Temperatures | None = None,
 ) -> States:
-    """Shaft and inner ring, or the ring alone where no fit is known, turning at ``speed``.
+    """Return states of shaft and inner ring at ``speed``, or of the ring alone if no fit is known.
 
-    One state for all speeds of the same temperatures, with their rows.
+    One state, with its rows, for all speeds of the same temperatures.
     """
     from bearings.fit.compound import compound
 
@@ -113,26 +113,26 @@ def inner_ring(
     race = bearing.inner_raceway_radius
     rises = _rises(seat, speed, temperatures)
     states = []
-    for rows in _rows_alike(rises.shaft, rises.inner):
-        shaft, warm = float(rises.shaft[rows[0]]), float(rises.inner[rows[0]])
+    for rows in _equal_rows(rises.shaft, rises.inner):
+        shaft_rise, ring_rise = float(rises.shaft[rows[0]]), float(rises.inner[rows[0]])
         if fit is None:
-            ring = [_cylinder(0.9 * race, race, bearing.ring_material, warm)]
+            ring = [_cylinder(0.9 * race, race, bearing.ring_material, ring_rise)]
             states.append((rows, compound(ring, [], 0.0 * speed[rows])))
             continue
         material = spindle.shaft.section_at(seat.x).material
-        hole = spindle.shaft.diameters_at(seat.x)[1] / 2.0
+        bore = spindle.shaft.diameters_at(seat.x)[1] / 2.0
         bodies = [
-            _cylinder(hole, fit.radius, material, shaft),
-            _cylinder(fit.radius, race, bearing.ring_material, warm),
+            _cylinder(bore, fit.radius, material, shaft_rise),
+            _cylinder(fit.radius, race, bearing.ring_material, ring_rise),
         ]
         states.append((rows, compound(bodies, [fit.interference], speed[rows])))
     return states
 
 
 def outer_ring(seat: BearingSeat, speed: Array, temperatures: Temperatures | None = None) -> States:
-    """Outer ring and housing, which stand still, or the ring alone where no fit is known.
+    """Return states of outer ring and housing at rest, or of the ring alone if no fit is known.
 
-    What balls expand the free ring by adds to its interference.
+    The expansion of the free ring by the balls adds to its interference.
     """
     from bearings.fit.compound import compound
 
@@ -140,26 +140,26 @@ def outer_ring(seat: BearingSeat, speed: Array, temperatures: Temperatures | Non
     race = bearing.outer_raceway_radius
     rises = _rises(seat, speed, temperatures)
     states = []
-    outside = race if fit is None else fit.radius
-    expanded = _under_balls(seat, speed, outside)
-    for rows in _rows_alike(rises.housing, rises.outer, expanded):
-        housing, warm = float(rises.housing[rows[0]]), float(rises.outer[rows[0]])
+    radius = race if fit is None else fit.radius
+    expanded = _growth_by_balls(seat, speed, radius)
+    for rows in _equal_rows(rises.housing, rises.outer, expanded):
+        housing_rise, ring_rise = float(rises.housing[rows[0]]), float(rises.outer[rows[0]])
         if fit is None or fits is None:
-            ring = [_cylinder(race, 1.1 * race, bearing.ring_material, warm)]
+            ring = [_cylinder(race, 1.1 * race, bearing.ring_material, ring_rise)]
             states.append((rows, compound(ring, [], 0.0 * speed[rows])))
             continue
         bodies = [
-            _cylinder(race, fit.radius, bearing.ring_material, warm),
-            _cylinder(fit.radius, fits.housing_radius, fits.housing_material, housing),
+            _cylinder(race, fit.radius, bearing.ring_material, ring_rise),
+            _cylinder(fit.radius, fits.housing_radius, fits.housing_material, housing_rise),
         ]
-        depth = fit.interference + float(expanded[rows[0]])
-        states.append((rows, compound(bodies, [depth], 0.0 * speed[rows])))
+        interference = fit.interference + float(expanded[rows[0]])
+        states.append((rows, compound(bodies, [interference], 0.0 * speed[rows])))
     return states
 
 
-def _under_balls(seat: BearingSeat, speed: Array, radius: float) -> Array:
-    """Growth of the free outer ring at ``radius`` by the centrifugal force of the balls, as a
-    uniform pressure in its bore (speeds,) [m]; where the fits ask for it."""
+def _growth_by_balls(seat: BearingSeat, speed: Array, radius: float) -> Array:
+    """Return the growth of the free outer ring at ``radius`` by the centrifugal force of the balls,
+    as a uniform pressure in its bore (speeds,) [m]; 0 unless the fits include it."""
     from bearings.geometry import frozen_force, geometry
 
     fits, bearing = seat.fits, seat.bearing
@@ -170,12 +170,12 @@ def _under_balls(seat: BearingSeat, speed: Array, radius: float) -> Array:
     pressure = load / (2.0 * math.pi * race * fits.width)
     material = bearing.ring_material
     nu, shape = material.poisson_ratio, race**2 / (outside**2 - race**2)
-    way = (1.0 - nu) * radius + (1.0 + nu) * outside**2 / radius
-    return np.asarray(pressure * shape * way / material.young_modulus)
+    factor = (1.0 - nu) * radius + (1.0 + nu) * outside**2 / radius
+    return np.asarray(pressure * shape * factor / material.young_modulus)
 
 
 def _cylinder(inner: float, outer: float, material: Material, rise: float) -> Cylinder:
-    """A body ``rise`` [K] warmer than it was assembled."""
+    """Return a body ``rise`` [K] warmer than at assembly."""
     from bearings.fit.compound import Cylinder
 
     alpha = material.thermal_expansion
@@ -183,41 +183,41 @@ def _cylinder(inner: float, outer: float, material: Material, rise: float) -> Cy
 
 
 def inner_fit(seat: BearingSeat) -> Fit | None:
-    """Of the inner ring on the shaft, where it is known."""
+    """Return the fit of the inner ring on the shaft, None if unknown."""
     if seat.fits is not None:
         if not seat.fits.shaft or seat.fits.bore_diameter is None:
             return None
         return Fit(seat.fits.bore_diameter / 2.0, seat.fits.depth("inner"))
-    given = seat.growth.fitted
-    return None if given is None else Fit(given.bore_diameter / 2.0, given.interference)
+    fitted = seat.growth.fitted
+    return None if fitted is None else Fit(fitted.bore_diameter / 2.0, fitted.interference)
 
 
 def outer_fit(seat: BearingSeat) -> Fit | None:
-    """Of the outer ring in its housing, where it is known."""
+    """Return the fit of the outer ring in its housing, None if unknown."""
     if seat.fits is None or not seat.fits.housing or seat.fits.outside_diameter is None:
         return None
     return Fit(seat.fits.outside_diameter / 2.0, seat.fits.depth("outer"))
 
 
-def _rows_alike(*values: Array) -> list[Indices]:
-    """Rows at which all values are the same."""
+def _equal_rows(*values: Array) -> list[Indices]:
+    """Group the rows at which all values are the same."""
     kinds = np.unique(np.stack(values), axis=1, return_inverse=True)[1].ravel()
     return [np.flatnonzero(kinds == kind) for kind in range(int(kinds.max(initial=-1)) + 1)]
 
 
 def _rises(seat: BearingSeat, speed: Array, temperatures: Temperatures | None) -> Rises:
-    """Temperatures above the reference, none where all are those of assembly (speeds,) [K]."""
+    """Return temperatures above the reference, 0 if all are those of assembly (speeds,) [K]."""
     if temperatures is None:
-        none = np.zeros(len(speed))
-        return Rises(none, none, none, none, none)
+        zero = np.zeros(len(speed))
+        return Rises(zero, zero, zero, zero, zero)
     return temperatures.rises(seat.name, speed)
 
 
 class Release(NamedTuple):
-    """A ring of a bearing that lets go: which one, of what, and from which speed on [rad/s].
+    """Loss of the interference of a bearing ring on its ``seat``, from which speed on [rad/s].
 
-    It lets go between the speeds ``held`` and ``speed``, which are one where it is exact; ``held``
-    is NaN where no speed is known at which it holds.
+    The ring comes loose between the speeds ``held`` and ``speed``, which are equal where it is
+    exact; ``held`` is NaN if no speed is known at which the fit holds.
     """
 
     bearing: str
@@ -230,24 +230,25 @@ class Release(NamedTuple):
 def released_fits(
     spindle: Spindle, speed: Array, temperatures: Temperatures | None = None
 ) -> list[Release]:
-    """Rings that were pressed on as mounted and let go up to the highest of ``speed``.
-
-    At temperatures that do not follow the speed it is exact for inner rings, else between two of
+    """Return the rings that are pressed on as mounted and come loose up to the highest of
     ``speed``.
+
+    The speed is exact for inner rings at temperatures that do not depend on it; else it lies
+    between two of ``speed``.
     """
     released = []
     for seat in spindle.seats:
-        for at in _inner_release(spindle, seat, speed, temperatures):
-            released.append(Release(seat.name, "inner", "shaft", *at))
-        for at in _outer_release(seat, speed, temperatures):
-            released.append(Release(seat.name, "outer", "housing", *at))
+        for between in _inner_release(spindle, seat, speed, temperatures):
+            released.append(Release(seat.name, "inner", "shaft", *between))
+        for between in _outer_release(seat, speed, temperatures):
+            released.append(Release(seat.name, "outer", "housing", *between))
     return released
 
 
 def _inner_release(
     spindle: Spindle, seat: BearingSeat, speed: Array, temperatures: Temperatures | None
 ) -> Iterator[tuple[float, float]]:
-    """Speeds between which the inner ring lets go; none where it does not."""
+    """Yield the speeds between which the inner ring comes loose, if it does."""
     from bearings.fit.compound import release_speed
 
     fit = inner_fit(seat)
@@ -266,17 +267,17 @@ def _inner_release(
 def _outer_release(
     seat: BearingSeat, speed: Array, temperatures: Temperatures | None
 ) -> Iterator[tuple[float, float]]:
-    """The same of an outer ring that is pressed into its bore."""
+    """Yield the speeds between which an outer ring with interference comes loose, if it does."""
     if outer_fit(seat) is not None and outer_ring(seat, np.zeros(1))[0][1].holds.all():
         yield from _first_loose(outer_ring(seat, speed, temperatures), speed)
 
 
 def _first_loose(states: States, speed: Array) -> Iterator[tuple[float, float]]:
-    """The first of the speeds at which a ring has no pressure, after the one before it; none where
-    it has at all."""
+    """Yield the speed before the first at which a ring has no pressure, and that speed; nothing if
+    the ring keeps its pressure."""
     loose = [row for rows, state in states for row in rows[~state.holds[:, 0]]]
     if loose:
         first = min(loose)
         at = float(speed[first])
-        before = float(speed[first - 1]) if first else at if at == 0.0 else math.nan
-        yield before, at
+        last_held = float(speed[first - 1]) if first else at if at == 0.0 else math.nan
+        yield last_held, at

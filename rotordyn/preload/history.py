@@ -1,10 +1,9 @@
-"""The axial network of a spindle with its memory: its history from assembly on, then loads along a
-path.
+"""Axial network of a spindle with memory: its history from assembly on, then loads along a path.
 
-Friction holds sleeves where they were, so that every state is followed from the one before, from
-one event (a sleeve slips or sticks, a stop closes or opens) to the next. The bearings are tables of
-their loads and tangents at every speed, interpolated linearly between two speeds.
-``rotordyn.preload.play`` is a quicker solver of cycles of force alone, for identification.
+Friction makes each state depend on the one before, so that states are followed from one event (a
+sleeve slips or sticks, a stop closes or opens) to the next. Bearings are tables of their loads and
+tangents at every speed, interpolated linearly between two speeds. ``rotordyn.preload.play`` is a
+faster solver for cycles of force alone, for identification.
 """
 
 from __future__ import annotations
@@ -41,17 +40,17 @@ from rotordyn.state.network import Bearings, Frictions, Load, Network, Springs, 
 from rotordyn.state.rates import compliance, updated_contacts
 from rotordyn.state.rest import mounted_state
 
-SLIDING = 1e-9  # of the limit of friction
+SLIDING = 1e-9  # of the limit of friction: what is closer to it slides
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class History:
     """Axial ``network`` of the spindle and the loads of its history.
 
-    ``of_seat``: the bearing of the network that stands for each seat; ``rest``: load at assembly;
-    ``before``: loads up to the run-up; ``through``: load at each speed
-    as the run-up passes it; ``after``: loads that follow there; ``loads``: the last one of each
-    speed. ``lower``: number of speeds below the one at which the run-up begins.
+    ``of_seat``: index of the network's bearing at each seat; ``rest``: load at assembly;
+    ``before``: loads up to the run-up; ``through``: load at each speed as the run-up passes it;
+    ``after``: loads that follow there; ``loads``: the last one at each speed. ``lower``: number of
+    speeds below the one at which the run-up begins.
     """
 
     network: Network
@@ -64,67 +63,67 @@ class History:
     lower: int
 
     def run_up(self) -> list[State | str]:
-        """The state at every speed at the end of the history, or why there is none."""
+        """Return the state at every speed at the end of the history, or why there is none."""
         path = (self.rest, *self.before)
-        begun = self._followed(mounted_state(self.network, self.rest), path)
-        found: list[State | str] = [begun] * len(self.loads)
+        initial = self._followed(mounted_state(self.network, self.rest), path)
+        ends: list[State | str] = [initial] * len(self.loads)
         rows = range(len(self.loads))
         # upward from the speed of the last step before, and downward from it: two separate paths
-        for way in (rows[self.lower :], rows[: self.lower][::-1]):
-            there, load = begun, path[-1]
-            for row in way:
-                there = self._followed(there, (load, self.through[row]))
+        for route in (rows[self.lower :], rows[: self.lower][::-1]):
+            state, load = initial, path[-1]
+            for row in route:
+                state = self._followed(state, (load, self.through[row]))
                 load = self.through[row]
-                found[row] = self._followed(there, (load, *self.after[row]))
-        return found
+                ends[row] = self._followed(state, (load, *self.after[row]))
+        return ends
 
     def _followed(self, state: State | str, path: Sequence[Load]) -> State | str:
-        """The state at the end of a path that begins in it, or why there is none."""
+        """Return the state at the end of a path that begins in ``state``, or why there is none."""
         for start, end in pairwise(path):
             if isinstance(state, str):
                 break
             require_time("history", "broken off")
             try:
                 state = along(Step(self.network, start, end), state)[0]
-            except NoEquilibrium as none:
-                state = str(none)
+            except NoEquilibrium as error:
+                state = str(error)
         return state
 
     def loaded(
         self, row: int, state: State, force: Sequence[float], start: Load | None = None
     ) -> list[State]:
-        """States under axial forces [N] one after the other, at speed ``row`` from ``state``.
+        """Return the states under successive axial forces [N] at speed ``row``, from ``state``.
 
-        ``start``: what acts in that state, at this speed; None: no force besides.
+        ``start``: load in that state, at this speed; None: no additional force.
 
         Raises
         ------
         NoEquilibrium : nothing balances a body
         """
         base = float(self.loads[row].force[SHAFT])
-        states, at = [state], self.loads[row] if start is None else start
-        for values in _ways(float(at.force[SHAFT]) - base, force):
-            step = Step(self.network, at, self.under(row, values[-1]))
-            here, there = at.force[SHAFT], step.end.force[SHAFT]
-            way = (there - here) or 1.0
+        states, current = [state], self.loads[row] if start is None else start
+        for values in _monotonic(float(current.force[SHAFT]) - base, force):
+            step = Step(self.network, current, self.under(row, values[-1]))
+            low, high = current.force[SHAFT], step.end.force[SHAFT]
+            rise = (high - low) or 1.0
             states += passed(
-                step, states[-1], [*((base + v - here) / way for v in values[:-1]), 1.0]
+                step, states[-1], [*((base + v - low) / rise for v in values[:-1]), 1.0]
             )
-            at = step.end
+            current = step.end
         return states[1:]
 
     def force_to_slide(self, row: int, state: State, force: float, reach: float) -> float:
-        """Axial force [N] beyond ``force`` at which a sleeve first slides again, where friction of
-        all of them is at its limit in ``state``; NaN where one sticks or stands at a stop, where a
-        stop opens or closes before, or where none slides up to ``reach`` [N]."""
+        """Return the axial force [N] beyond ``force`` at which a sleeve first slides again, where
+        friction of all of them is at its limit in ``state``; NaN where one sticks or stands at a
+        stop, where a stop opens or closes before, or where none slides up to ``reach`` [N]."""
         limit = self.network.frictions.limit
         slides = np.abs(state.friction) >= limit * (1.0 - SLIDING)
         if not (limit > 0.0).any() or not slides.all() or (np.abs(state.press) > 0.0).any():
             return math.nan
         step = Step(self.network, self.under(row, force), self.under(row, force + reach))
-        met = (event for *_, events in parts(step, state) for event in events)
+        ahead = (event for *_, events in parts(step, state) for event in events)
         try:
-            for event in met:
+            for event in ahead:
                 if event.kind.startswith("slip"):
                     return event.share * reach
                 if event.kind in ("open", "close"):
@@ -134,54 +133,54 @@ class History:
         return math.nan
 
     def under(self, row: int, force: float) -> Load:
-        """Loads at the speed of ``row`` with a further axial ``force`` [N] on the shaft."""
+        """Return the load at speed ``row`` with a further axial ``force`` [N] on the shaft."""
         load = self.loads[row]
         push = load.force.copy()
         push[SHAFT] += force
         return replace(load, force=push)
 
     def compliance(self, row: int, state: State, force: float, way: float) -> float:
-        """Axial compliance of the shaft for a force that rises or falls, ``way`` ±1 [m/N]."""
-        here, there = self.under(row, force), self.under(row, force + way)
-        step = Step(self.network, here, there)
+        """Return the axial compliance [m/N] for a force that rises or falls, ``way`` ±1."""
+        start, end = self.under(row, force), self.under(row, force + way)
+        step = Step(self.network, start, end)
         return way * float(compliance(step, updated_contacts(step, state, 0.0))[SHAFT])
 
 
-def _ways(start: float, force: Sequence[float]) -> list[list[float]]:
-    """Forces after ``start``, each time it turns a list of its own."""
-    ways: list[list[float]] = []
-    before = 0.0
+def _monotonic(start: float, force: Sequence[float]) -> list[list[float]]:
+    """Return the forces after ``start`` in monotonic sequences."""
+    sequences: list[list[float]] = []
+    direction = 0.0
     for a, b in pairwise([start, *force]):
-        if not ways or np.sign(b - a) != before:
-            ways.append([b])
+        if not sequences or np.sign(b - a) != direction:
+            sequences.append([b])
         else:
-            ways[-1].append(b)
-        before = np.sign(b - a)
-    return ways
+            sequences[-1].append(b)
+        direction = np.sign(b - a)
+    return sequences
 
 
 def history(preload: PreloadState, reach: float) -> History:
-    """The network of a spindle with the friction of its sleeves, and its history up to the speeds
-    of ``preload``.
+    """Return the network of a spindle with the friction of its sleeves, and its history up to the
+    speeds of ``preload``.
 
-    ``reach``: largest axial force of the paths that go on from there [N].
+    ``reach``: largest axial force of later paths [N].
 
     Raises
     ------
-    TooCostly : that takes more time or memory than is allowed
+    TooCostly : the history takes more time or memory than is allowed
     """
-    joined, past = _apart(preload), preload.past
+    joined, past = _separated(preload), preload.past
     _require_allowed(preload, len(joined.bearings))
-    known = [step.axial_force or 0.0 for step in past.steps]
-    pushed = max(map(abs, (preload.force, past.weight, *(past.weight + f for f in known))))
-    most = 2.0 * (reach + pushed + float(np.abs(preload.network.springs.force).sum()))
+    applied = [step.axial_force or 0.0 for step in past.steps]
+    largest = max(map(abs, (preload.force, past.weight, *(past.weight + f for f in applied))))
+    most = 2.0 * (reach + largest + float(np.abs(preload.network.springs.force).sum()))
     laws = BearingLaws(preload, joined, most)
     assembled = PreloadNetwork(as_mounted(joined), preload.network.springs)
-    near = assembled.deflection(preload.mounted.position)[0].tolist()
+    deflection = assembled.deflection(preload.mounted.position)[0].tolist()
     by_seat = preload.mounted_load().tolist()
     loads, models = zip(*((by_seat[b.seats[0]], b.model) for b in joined.bearings), strict=True)
-    each = zip(laws.at(0.0, warm=False)[0], models, loads, near, strict=True)
-    network = _network(preload, joined, np.array([deflection_of(*one) for one in each]))
+    bearings = zip(laws.at(0.0, warm=False)[0], models, loads, deflection, strict=True)
+    network = _network(preload, joined, np.array([deflection_of(*bearing) for bearing in bearings]))
 
     def load(at: Moment) -> Load:
         push, gap = np.zeros((2, len(joined.bodies)))
@@ -205,7 +204,7 @@ def history(preload: PreloadState, reach: float) -> History:
 
 
 class Moment(NamedTuple):
-    """A place of a history: speed [rad/s], at operating temperature or not, axial force [N]."""
+    """Point of a history: speed [rad/s], whether at operating temperature, axial force [N]."""
 
     speed: float
     warm: bool
@@ -215,46 +214,46 @@ class Moment(NamedTuple):
 def moments(
     past: Past, speeds: Sequence[float], force: float
 ) -> tuple[list[Moment], list[Moment], list[list[Moment]]]:
-    """Places before the run-up, at each of ``speeds`` on it, and there from that one on.
+    """Return points before the run-up, at each of ``speeds`` on it, and from each of these on.
 
-    In the end every speed is at its temperatures, and the axial ``force`` [N] on the shaft.
+    In the end every speed has its temperatures, and the axial ``force`` [N] on the shaft.
     """
-    here = Moment(0.0, False, past.weight)
-    before = [] if past.weight == 0.0 else [here]
+    current = Moment(0.0, False, past.weight)
+    before = [] if past.weight == 0.0 else [current]
     for step in past.before:
-        before += _changed(step, here, past.weight, speeds)
-        here = before[-1]
-    through = [here._replace(speed=speed) for speed in speeds]
+        before += _changed(step, current, past.weight, speeds)
+        current = before[-1]
+    through = [current._replace(speed=speed) for speed in speeds]
     after = []
-    for there in through:
-        path = [there]
+    for passage in through:
+        path = [passage]
         for step in past.after:
             path += _changed(step, path[-1], past.weight, ())
-        path += [path[-1]._replace(warm=True), Moment(there.speed, True, force)]
+        path += [path[-1]._replace(warm=True), Moment(passage.speed, True, force)]
         after.append([path[0], *(b for a, b in pairwise(path) if a != b)])
     return before, through, after
 
 
-def _apart(preload: PreloadState) -> Arrangement:
-    """The arrangement of a preload state, bearings by themselves that do not stay alike through its
-    history."""
+def _separated(preload: PreloadState) -> Arrangement:
+    """Return the arrangement of a preload state; bearings that do not stay identical through its
+    history are separate."""
     joined, speeds = preload.network.arrangement, np.union1d(preload.speed, preload.past.speeds)
-    acting = preload.law, preload.temperatures, preload.films
-    alike = arrangement(preload.spindle, speeds, 0.0, *acting).bearing_of_seat
+    conditions = preload.law, preload.temperatures, preload.films
+    groups = arrangement(preload.spindle, speeds, 0.0, *conditions).bearing_of_seat
     bearings = [
         replace(bearing, seats=tuple(seats))
         for bearing in joined.bearings
-        for _, seats in groupby(sorted(bearing.seats, key=alike.__getitem__), alike.__getitem__)
+        for _, seats in groupby(sorted(bearing.seats, key=groups.__getitem__), groups.__getitem__)
     ]
     return replace(joined, bearings=tuple(bearings))
 
 
 def _require_allowed(preload: PreloadState, bearings: int) -> None:
-    """Raise InvalidInput where laws and steps of the history take more than is allowed."""
+    """Raise TooCostly if load tables and steps of the history take more than is allowed."""
     past, speeds = preload.past, preload.speed.tolist()
     steps = most_moments(past, speeds)
-    known = {0.0, *speeds, *(step.speed for step in past.steps if step.speed is not None)}
-    laws = len(known) * bearings
+    table_speeds = {0.0, *speeds, *(step.speed for step in past.steps if step.speed is not None)}
+    laws = len(table_speeds) * bearings
     if preload.temperatures is not None and past.cold:
         laws *= 2
     what = f"history: {steps} steps and {laws} load tables of bearings"
@@ -262,33 +261,33 @@ def _require_allowed(preload: PreloadState, bearings: int) -> None:
 
 
 def most_moments(past: Past, speeds: Sequence[float]) -> int:
-    """How many ``moments`` there are at most."""
-    here, count = 0.0, 0
+    """Return an upper bound of the number of ``moments``."""
+    current, count = 0.0, 0
     for step in past.before:
-        goal = here if step.speed is None else step.speed
-        count += 1 + abs(bisect_left(speeds, goal) - bisect_left(speeds, here))
-        here = goal
+        goal = current if step.speed is None else step.speed
+        count += 1 + abs(bisect_left(speeds, goal) - bisect_left(speeds, current))
+        current = goal
     return count + len(speeds) * (len(past.after) + 3)
 
 
 def _changed(
-    step: HistoryStep, here: Moment, weight: float, speeds: Sequence[float]
+    step: HistoryStep, start: Moment, weight: float, speeds: Sequence[float]
 ) -> list[Moment]:
-    """Moments to which a step goes from ``here``, with a stop at each of ``speeds`` in between."""
+    """Return the points to which a step leads from ``here``, one at each of ``speeds`` between."""
     if step.warm is not None:
-        return [here._replace(warm=step.warm)]
+        return [start._replace(warm=step.warm)]
     if step.axial_force is not None:
-        return [here._replace(force=weight + step.axial_force)]
-    goal = here.speed if step.speed is None else step.speed
-    low, high = sorted((here.speed, goal))
-    way = [*(speed for speed in speeds if low < speed < high), high]
-    way = way if goal >= here.speed else [*way[-2::-1], low]
-    return [here._replace(speed=speed) for speed in way]
+        return [start._replace(force=weight + step.axial_force)]
+    goal = start.speed if step.speed is None else step.speed
+    low, high = sorted((start.speed, goal))
+    route = [*(speed for speed in speeds if low < speed < high), high]
+    route = route if goal >= start.speed else [*route[-2::-1], low]
+    return [start._replace(speed=speed) for speed in route]
 
 
 class BearingLaws:
     """Laws of the bearings ``joined`` of a preload state up to a load ``most`` [N], and shifts of
-    their seats, at any speed of its history; each is made once."""
+    their seats, at any speed of its history; each is computed once."""
 
     def __init__(self, preload: PreloadState, joined: Arrangement, most: float) -> None:
         self.preload, self.joined, self.most = preload, joined, most
@@ -297,44 +296,45 @@ class BearingLaws:
         self._known: dict[tuple[float, bool], tuple[tuple[AxialLaw, ...], Array, float]] = {}
 
     def at(self, speed: float, *, warm: bool) -> tuple[tuple[AxialLaw, ...], Array, float]:
-        """Laws, shifts (bearings,) [m] and that of the shaft at its supports [m], at a speed
+        """Return laws, shifts (bearings,) [m] and that of the shaft at its supports [m], at a speed
         [rad/s], at operating temperature or not."""
-        place = self._place(speed, warm)
-        self._solve([place])
-        return self._known[place]
+        key = self._key(speed, warm)
+        self._solve([key])
+        return self._known[key]
 
     def all_at(self, moments: Iterable[Moment]) -> None:
-        """Make those of some ``moments`` together, which is quicker."""
-        self._solve(dict.fromkeys(self._place(at.speed, at.warm) for at in moments))
+        """Solve the laws of all ``moments`` together, which is faster."""
+        self._solve(dict.fromkeys(self._key(moment.speed, moment.warm) for moment in moments))
 
-    def _place(self, speed: float, warm: bool) -> tuple[float, bool]:
+    def _key(self, speed: float, warm: bool) -> tuple[float, bool]:
         return speed, warm and self.preload.temperatures is not None
 
-    def _solve(self, places: Iterable[tuple[float, bool]]) -> None:
-        """Make those at speeds, warm or not, that are not known yet."""
-        new = {place: self._bearings(*place) for place in places if place not in self._known}
-        every = [bearing for own, _ in new.values() for bearing in own]
-        speeds = [speed for (speed, _), (own, _) in new.items() for _ in own]
-        tables = iter(axial_tables(every, speeds, self.most))
-        for place, (own, at_supports) in new.items():
-            shift = np.array([bearing.shortening[0] for bearing in own])
-            self._known[place] = tuple(next(tables) for _ in own), shift, at_supports
+    def _solve(self, keys: Iterable[tuple[float, bool]]) -> None:
+        """Solve laws at those keys (speed, warm or not) that are new."""
+        new = {key: self._bearings(*key) for key in keys if key not in self._known}
+        flat = [bearing for bearings, _ in new.values() for bearing in bearings]
+        speeds = [speed for (speed, _), (bearings, _) in new.items() for _ in bearings]
+        tables = iter(axial_tables(flat, speeds, self.most))
+        for key, (bearings, at_supports) in new.items():
+            shift = np.array([bearing.shortening[0] for bearing in bearings])
+            self._known[key] = tuple(next(tables) for _ in bearings), shift, at_supports
 
     def _bearings(self, speed: float, warm: bool) -> tuple[list[AxialBearing], float]:
-        """The bearings at a speed, and the shift of the shaft at its supports [m]."""
+        """Return the bearings at a speed, and the shift of the shaft at its supports [m]."""
         if warm not in self._arranged:
             state = self.preload
-            acting = state.law, state.temperatures if warm else None, state.films
-            self._arranged[warm] = arrangement(state.spindle, self.speeds, 0.0, *acting)
-        there = self._arranged[warm].at(np.searchsorted(self.speeds, [speed]))
-        of_seat = there.bearing_of_seat
-        own = [there.bearings[of_seat[one.seats[0]]] for one in self.joined.bearings]
-        return own, float(there.support_shift[0])
+            conditions = state.law, state.temperatures if warm else None, state.films
+            self._arranged[warm] = arrangement(state.spindle, self.speeds, 0.0, *conditions)
+        at_speed = self._arranged[warm].at(np.searchsorted(self.speeds, [speed]))
+        of_seat = at_speed.bearing_of_seat
+        bearings = [
+            at_speed.bearings[of_seat[bearing.seats[0]]] for bearing in self.joined.bearings
+        ]
+        return bearings, float(at_speed.support_shift[0])
 
 
 def _network(preload: PreloadState, joined: Arrangement, deflection: Array) -> Network:
-    """Bodies of a preload state and all between them, bearings as ``joined``; ``deflection``
-    (bearings,) as mounted [m]."""
+    """Return the network of a preload state; ``deflection`` (bearings,) as mounted [m]."""
     springs, rubs = preload.network.springs, preload.rubs
     rows = np.eye(len(joined.bodies))
     ends = [rows[b.outer] if b.outer != HOUSING else 0.0 * rows[0] for b in joined.bearings]

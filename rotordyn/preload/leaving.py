@@ -1,7 +1,7 @@
-"""Where the lightest ball of a bearing leaves its race as a load grows.
+"""Load at which the lightest ball of a bearing leaves its race.
 
-The approach of a ball is the 2/3 power of its load, by which a race springs; the one of the
-lightest ball falls almost evenly, and is taken to go on as it did at up to three loads before.
+The approach of ball and race is proportional to the 2/3 power of their load; that of the lightest
+ball falls almost linearly and is extrapolated from up to three loads.
 
 Theory: docs/theory/loads.md.
 """
@@ -13,21 +13,21 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-HERTZ = 2.0 / 3.0
-KNOWN = 3  # loads that a parabola takes
-NEARER = 24  # loads that are tried, at most
-CLOSE = 1e-3  # of the load at which a ball leaves: from there the parabola is right to far less
-REAL = 1e-12
-STRAIGHT = 1e-9  # of the approach: a bend that is less is rounding, of which a root would be made
+HERTZ = 2.0 / 3.0  # exponent of the approach over the load
+KNOWN = 3  # loads, through which a parabola passes
+NEARER = 24  # loads tried, at most
+CLOSE = 1e-3  # of the load at which a ball leaves: from there the parabola errs by far less
+REAL = 1e-12  # imaginary part that rounding gives a real root
+STRAIGHT = 1e-9  # of the approach: less curvature is rounding, which would give a false root
 
 
 @dataclass(frozen=True, slots=True)
 class Leaving:
-    """What is known of a ball that leaves.
+    """Iterate of the load at which a ball leaves.
 
-    ``load``, whatever it counts, and ``approach`` of the lightest ball there while it is pressed,
+    ``load``, in any unit, and ``approach`` of the lightest ball there while it is loaded,
     ascending; ``lost``: a load at which one has left; ``least``: load of a ball [N] that counts;
-    ``ball``: the lightest one.
+    ``ball``: index of the lightest one.
     """
 
     load: tuple[float, ...]
@@ -40,15 +40,15 @@ class Leaving:
     def between(
         cls, load: Sequence[float], lightest: Sequence[float], lost: float, least: float, ball: int
     ) -> Leaving:
-        """From the ``lightest`` ball at every load before the one at which it is ``lost``."""
+        """Return the iterate from the ``lightest`` ball load at every load before ``lost``."""
         approach = tuple(q**HERTZ for q in lightest[-KNOWN:])
         return cls(tuple(load[-KNOWN:]), approach, lost, least, ball)
 
     @property
     def zero(self) -> float:
-        """Load at which the approach comes to zero, as far as it is known.
+        """Load at which the approach vanishes, extrapolated.
 
-        On the straight line or parabola of the approaches; ``lost`` where nothing nearer is known.
+        By a straight line or parabola through the approaches; ``lost`` where it has no zero before.
         """
         if len(self.load) < 2:
             return self.lost
@@ -61,13 +61,13 @@ class Leaving:
 
     @property
     def trial(self) -> float:
-        """Load to look at next, most of the way to where the approach comes to zero."""
+        """Load to solve next, most of the distance to the zero of the approach."""
         zero = self.zero
         return self.load[-1] + (0.9 if zero < self.lost else 0.5) * (zero - self.load[-1])
 
     @property
     def found(self) -> bool:
-        """The approach is known so close to its zero that no further load need be tried."""
+        """True if the approach is known so close to its zero that no further load need be tried."""
         return self.lost - self.load[-1] <= 1e-3 * CLOSE * self.lost or (
             len(self.load) == KNOWN
             and self.zero < self.lost
@@ -75,7 +75,7 @@ class Leaving:
         )
 
     def after(self, load: float, lightest: float, ball: int) -> Leaving:
-        """With the ``lightest`` ball at a further load."""
+        """Return the iterate with the ``lightest`` ball load at a further ``load``."""
         if not lightest > self.least:
             return replace(self, lost=load)
         return replace(

@@ -1,9 +1,9 @@
-"""From the free set to the mounted one: ring offset, force, and what fits add to both.
+"""Preload of a mounted set from the free one: ring offset, force, and the effect of fits on both.
 
-The axial displacement of a bearing counts from where it carries nothing, static growth included;
-growth Δu0 closes the contact angle, cos α' = cos α + Δu0/BD, which takes up BD (sin α − sin α') of
-the play of the free bearing. Rings brought together by an offset thus press by the offset and what
-growth takes up on both sides.
+The axial displacement of a bearing is zero where it just carries no load, static growth included;
+growth Δu0 changes the contact angle, cos α' = cos α + Δu0/BD, which reduces the play of the free
+bearing by BD (sin α − sin α'). Rings brought together by an offset are thus compressed by the
+offset and by what growth takes up on both sides.
 """
 
 from __future__ import annotations
@@ -25,21 +25,21 @@ from rotordyn.machine.sleeve import Sleeve
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.growth import static_growth
 
-LIGHTEST = 1e-3  # N: a set that is pressed by less has play
-HEAVIEST = 1e7  # N: more than any bearing bears
+LIGHTEST = 1e-3  # N: a set with less preload has play
+HEAVIEST = 1e7  # N: more than any bearing carries
 LONGEST = 1e-3  # m
 EXACT = 1e-20  # m
 
 
 def mounted_preloads(spindle: Spindle) -> list[float]:
-    """Force of the spring of every sleeve at rest, as mounted [N].
+    """Return the spring force of every sleeve at rest, as mounted [N].
 
-    Offsets say where sleeves are against the housing. The shaft is where all of them and all other
-    springs balance.
+    Offsets locate sleeves relative to the housing. The shaft lies where their forces and those of
+    all other springs balance.
 
     Raises
     ------
-    InvalidInput : a set has play as mounted, or nothing stands against it
+    InvalidInput : a set has play as mounted, or nothing opposes it
     """
     forces = [sleeve.spring.preload for sleeve in spindle.sleeves]
     offsets = {
@@ -51,25 +51,27 @@ def mounted_preloads(spindle: Spindle) -> list[float]:
         return forces
     from scipy.optimize import brentq
 
-    ways = [spring_way(spindle, sleeve) for sleeve in spindle.sleeves]
-    held = {k: sides(spindle, spindle.sleeves[k])[0] for k in offsets}
+    directions = [spring_way(spindle, sleeve) for sleeve in spindle.sleeves]
+    by_offset = {k: sides(spindle, spindle.sleeves[k])[0] for k in offsets}
     housing = Side(spindle, _in_housing(spindle))
-    pushed = sum(w * f for k, (w, f) in enumerate(zip(ways, forces, strict=True)) if k not in held)
+    spring_force = sum(
+        w * f for k, (w, f) in enumerate(zip(directions, forces, strict=True)) if k not in by_offset
+    )
 
-    def left(x: float) -> float:
-        """What the shaft at ``x`` would still have to be pushed with [N]."""
-        own = (side.push(x - ways[k] * offsets[k]) for k, side in held.items())
-        return housing.push(x) + sum(own) - pushed
+    def residual(x: float) -> float:
+        """Return the force that the shaft at ``x`` lacks for equilibrium [N]."""
+        pushes = (side.push(x - directions[k] * offsets[k]) for k, side in by_offset.items())
+        return housing.push(x) + sum(pushes) - spring_force
 
-    if not left(-LONGEST) <= 0.0 <= left(LONGEST):
+    if not residual(-LONGEST) <= 0.0 <= residual(LONGEST):
         raise InvalidInput(
             f"sleeves {', '.join(sleeve.name for sleeve in spindle.sleeves)}: together they press "
             "the bearings beyond what they bear: lower their preloads"
         )
-    shaft = float(brentq(left, -LONGEST, LONGEST, xtol=EXACT))
-    for k, side in held.items():
-        x = shaft - ways[k] * offsets[k]
-        forces[k] = -ways[k] * side.push(x)
+    shaft = float(brentq(residual, -LONGEST, LONGEST, xtol=EXACT))
+    for k, side in by_offset.items():
+        x = shaft - directions[k] * offsets[k]
+        forces[k] = -directions[k] * side.push(x)
         overloaded = side.overloaded(x) or housing.overloaded(shaft)
         _require_pressed(spindle, spindle.sleeves[k], offsets[k], forces[k], overloaded=overloaded)
     return forces
@@ -78,7 +80,7 @@ def mounted_preloads(spindle: Spindle) -> list[float]:
 def _require_pressed(
     spindle: Spindle, sleeve: Sleeve, offset: float, force: float, *, overloaded: bool
 ) -> None:
-    """Go on only where the ``force`` [N] of an ``offset`` [m] presses, and not too hard."""
+    """Raise InvalidInput unless ``force`` [N] by an ``offset`` [m] is positive and not too high."""
     if force > LIGHTEST and not overloaded:
         return
     total = offset + sum(side.gained for side in sides(spindle, sleeve))
@@ -93,28 +95,29 @@ def _require_pressed(
 
 
 def ring_offset(spindle: Spindle, sleeve: Sleeve, force: float) -> float:
-    """Axial offset of the free rings that presses with ``force`` [N] as mounted, beside all other
-    sleeves [m].
+    """Return the axial offset of the free rings that presses with ``force`` [N] as mounted,
+    together with all other sleeves [m].
 
     Raises
     ------
-    InvalidInput : nothing in the housing stands against it
+    InvalidInput : no bearing in the housing opposes it
     """
-    own, facing = sides(spindle, sleeve)
-    way, pushed = spring_way(spindle, sleeve), force
+    on_sleeve, facing = sides(spindle, sleeve)
+    direction, opposing = spring_way(spindle, sleeve), force
     if len(spindle.sleeves) > 1:
-        others = zip(spindle.sleeves, mounted_preloads(spindle), strict=True)
-        pushed += way * sum(spring_way(spindle, s) * f for s, f in others if s != sleeve)
-    if pushed < 0.0:  # the others push harder, against bearings of the same thrust
-        beside = Side(spindle, _in_housing(spindle, -way))
-        return own.approach(force, -way) - beside.approach(-pushed, -way)
-    return own.approach(force, -way) + facing.approach(pushed, way)
+        preloads = zip(spindle.sleeves, mounted_preloads(spindle), strict=True)
+        opposing += direction * sum(spring_way(spindle, s) * f for s, f in preloads if s != sleeve)
+    if opposing < 0.0:  # the others push harder, against bearings of the same thrust
+        same_thrust = Side(spindle, _in_housing(spindle, -direction))
+        return on_sleeve.approach(force, -direction) - same_thrust.approach(-opposing, -direction)
+    return on_sleeve.approach(force, -direction) + facing.approach(opposing, direction)
 
 
 def class_offset(spindle: Spindle, sleeve: Sleeve, force: float) -> float:
-    """Axial offset of the free rings of a pair, one bearing on each side, under ``force`` [N] [m].
+    """Return the axial offset of the free rings of a pair, one bearing on each side, under
+    ``force`` [N] [m].
 
-    A maker grinds it on every bearing of a class: sets of more bearings have the same.
+    The maker grinds it on every bearing of a class: sets of more bearings have the same.
     """
     load = [[force, 0.0, 0.0, 0.0, 0.0]]
     pair = [side.seats[0].bearing for side in sides(spindle, sleeve)]
@@ -122,8 +125,8 @@ def class_offset(spindle: Spindle, sleeve: Sleeve, force: float) -> float:
 
 
 def _offset(spindle: Spindle, sleeve: Sleeve) -> float:
-    given = sleeve.spring.offset
-    return class_offset(spindle, sleeve, sleeve.spring.preload) if given is None else given
+    offset = sleeve.spring.offset
+    return class_offset(spindle, sleeve, sleeve.spring.preload) if offset is None else offset
 
 
 @dataclass(frozen=True, eq=False)
@@ -135,7 +138,7 @@ class Side:
 
     @cached_property
     def _alike(self) -> Counter[tuple[BallBearing, int, float]]:
-        """How many there are of each model, thrust and static growth [m]."""
+        """Number of bearings of each model, thrust direction and static growth [m]."""
         return Counter(
             (self.spindle.mounted(seat), seat.thrust, static_growth(self.spindle, seat))
             for seat in self.seats
@@ -148,75 +151,75 @@ class Side:
         return float(np.mean(gains))
 
     def push(self, x: float) -> float:
-        """Force of the shaft on the body towards +x where it stands by ``x`` [m] off the place at
-        which the free rings have neither load nor play [N]."""
+        """Return the force of the shaft on the body towards +x [N] where the shaft is shifted by
+        ``x`` [m] from the position at which the free rings have neither load nor play."""
         return sum(
             count * thrust * _load(_state(model, thrust * x, growth))
             for (model, thrust, growth), count in self._alike.items()
         )
 
     def overloaded(self, x: float) -> bool:
-        """Some contact is pressed there beyond what results mean anything for."""
+        """True if a contact pressure at ``x`` exceeds the range of valid results."""
         states = (_state(model, thrust * x, growth) for model, thrust, growth in self._alike)
         peak = [np.fmax(s.inner_pressure, s.outer_pressure).max() for s in states]
-        return not np.max(peak) <= HIGHEST_PRESSURE  # nor where there is none
+        return not np.max(peak) <= HIGHEST_PRESSURE  # NaN, without a state, is an overload too
 
     def approach(self, force: float, way: int) -> float:
-        """How far the free rings come together where the shaft pushes with ``force`` [N] in a
-        ``way`` ±1 that loads the bearings [m]."""
-        ((model, _, growth), count), *others = self._alike.items()
-        if not others:
-            own = [[force / count, 0.0, 0.0, 0.0, 0.0]]
-            state = model.equilibrium(load=own, static_growth=growth, compiled=False)
+        """Return the approach of the free rings [m] where the shaft pushes with ``force`` [N] in
+        the direction ``way``, ±1, that loads the bearings."""
+        ((model, _, growth), count), *further = self._alike.items()
+        if not further:
+            load = [[force / count, 0.0, 0.0, 0.0, 0.0]]
+            state = model.equilibrium(load=load, static_growth=growth, compiled=False)
             return float(state.displacement[0, 0]) - _gain(model, growth)
         from scipy.optimize import brentq
 
-        def over(d: float) -> float:
+        def excess(d: float) -> float:
             return way * self.push(way * d) - force
 
-        return float(brentq(over, -LONGEST, LONGEST, xtol=EXACT))
+        return float(brentq(excess, -LONGEST, LONGEST, xtol=EXACT))
 
 
 def sides(spindle: Spindle, sleeve: Sleeve) -> tuple[Side, Side]:
-    """Bearings on the sleeve, and those in the housing that they press against.
+    """Return the bearings on the sleeve, and those in the housing that oppose them.
 
     Raises
     ------
-    InvalidInput : there is none of the latter
+    InvalidInput : no bearing in the housing opposes the sleeve
     """
-    own = [seat for seat in spindle.seats if seat.name in sleeve.bearings]
+    on_sleeve = [seat for seat in spindle.seats if seat.name in sleeve.bearings]
     facing = _in_housing(spindle, spring_way(spindle, sleeve))
     if not facing:
         raise InvalidInput(
             f"sleeve {sleeve.name}: nothing in the housing takes the thrust of its bearings: a "
             "preload by offset or by class needs bearings that face them"
         )
-    return Side(spindle, own), Side(spindle, facing)
+    return Side(spindle, on_sleeve), Side(spindle, facing)
 
 
 def spring_way(spindle: Spindle, sleeve: Sleeve) -> int:
-    """±1: the way in which its spring pushes a sleeve, against the thrust of its bearings."""
+    """Return the direction ±1 in which the spring pushes a sleeve, against its bearings' thrust."""
     return -next(seat.thrust for seat in spindle.seats if seat.name in sleeve.bearings)
 
 
-def _in_housing(spindle: Spindle, way: int = 0) -> list[BearingSeat]:
-    """Seats in the housing: those that a push of the shaft in a ``way`` ±1 loads, or all."""
+def _in_housing(spindle: Spindle, direction: int = 0) -> list[BearingSeat]:
+    """Return the seats in the housing that a push of the shaft in ``direction`` loads, or all."""
     return [
         seat
         for seat in spindle.seats
         if spindle.sleeve_of(seat.name) is None
-        and (way in (0, seat.thrust) or seat.bearing.both_ways)
+        and (direction in (0, seat.thrust) or seat.bearing.both_ways)
     ]
 
 
 def _state(model: BallBearing, d: float, growth: float) -> BearingState:
-    """A bearing at rest whose free rings are brought together by ``d`` [m]."""
+    """Return the state of a bearing at rest whose free rings are brought together by ``d`` [m]."""
     motion = [[d + _gain(model, growth), 0.0, 0.0, 0.0, 0.0]]
     return model.equilibrium(displacement=motion, static_growth=growth, compiled=False)
 
 
 def _load(state: BearingState) -> float:
-    """Its axial load [N]; ``HEAVIEST`` where it is crushed."""
+    """Return the axial load of a state [N]; ``HEAVIEST`` where the bearing is crushed."""
     load = float(state.load[0, 0])
     if not math.isfinite(load):
         load = math.copysign(HEAVIEST, state.displacement[0, 0])
@@ -224,7 +227,7 @@ def _load(state: BearingState) -> float:
 
 
 def _gain(model: BallBearing, growth: float) -> float:
-    """Play that growth takes up [m]."""
+    """Return the play that growth takes up [m]."""
     if model.both_ways:
         return 0.0
     free, angle = model.free_distance, model.free_angle

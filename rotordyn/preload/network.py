@@ -1,8 +1,8 @@
 """Forces on the bodies of the arrangement, at all speeds at once.
 
-Positions x (speeds, bodies) are measured from where every bearing is just unloaded at rest, or
-stands in the middle of its play where it takes thrust both ways. The state at rest, with the
-springs at their stated preload, fixes where each spring and stop is.
+Positions x (speeds, bodies) are measured from where every bearing is just unloaded at rest, or in
+the middle of its play where it takes thrust both ways. The state at rest, with the springs at their
+stated preload, determines the position of each spring and stop.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ class Springs:
     fixed: Flags
 
     def at(self, index: Indices) -> Springs:
-        """Those at some of the speeds."""
+        """Return the springs at the speeds ``index``."""
 
         def chosen(values: Array) -> Array:
             return values if len(values) == 1 else values[index]
@@ -57,16 +57,16 @@ class Response:
     moved: BearingIterates | None = None
 
     def rows(self, index: Indices) -> Response:
-        """The same of some speeds, every bearing solved by itself."""
+        """Return the response at the speeds ``index``, every bearing solved by itself."""
         states = {
-            (model, law.take(index)): Solved(each.places, each.state.rows(index))
-            for (model, law), each in self.states.items()
+            (model, law.take(index)): Solved(solved.places, solved.state.rows(index))
+            for (model, law), solved in self.states.items()
         }
         return Response(self.load[index], self.slope[index], states)
 
     @cached_property
     def bearings(self) -> BearingIterates:
-        """The balls of each bearing, to move on from: one where all are alike."""
+        """Balls of each bearing, to ``move`` on from: one ball where all are identical."""
         from bearings.ring.assembly import axial_assembly
 
         return self.moved or BearingIterates.solved(self.states, axial_assembly)
@@ -83,40 +83,40 @@ class Network:
 
     @classmethod
     def side_by_side(cls, machines: Sequence[Network]) -> Network:
-        """Machines of one structure as one network, the speeds of one after those of the other."""
+        """Join machines of one structure into one network, their speeds in sequence."""
         if len(machines) == 1:
             return machines[0]
 
         def over_speed(values: Iterable[Array]) -> Array:
-            rows = [len(each.arrangement.speed) for each in machines]
-            one = zip(values, rows, strict=True)
-            return np.concatenate([np.broadcast_to(v, (n, v.shape[1])) for v, n in one])
+            rows = [len(machine.arrangement.speed) for machine in machines]
+            pairs = zip(values, rows, strict=True)
+            return np.concatenate([np.broadcast_to(v, (n, v.shape[1])) for v, n in pairs])
 
-        springs = [each.springs for each in machines]
+        springs = [machine.springs for machine in machines]
         return cls(
-            side_by_side([each.arrangement for each in machines]),
+            side_by_side([machine.arrangement for machine in machines]),
             Springs(
-                over_speed(each.force for each in springs),
-                over_speed(each.stiffness for each in springs),
-                over_speed(each.rest for each in springs),
+                over_speed(spring.force for spring in springs),
+                over_speed(spring.stiffness for spring in springs),
+                over_speed(spring.rest for spring in springs),
                 springs[0].fixed,
             ),
-            over_speed(each.friction for each in machines),
+            over_speed(machine.friction for machine in machines),
         )
 
     def at(self, index: Indices) -> Network:
-        """The network at some of its speeds."""
+        """Return the network at the speeds ``index``."""
         friction = self.friction if len(self.friction) == 1 else self.friction[index]
         return Network(self.arrangement.at(index), self.springs.at(index), friction)
 
     @property
     def one_branch(self) -> bool:
-        """True where no ball is loaded or lost at the same place: neighbours may be a start."""
+        """True if ball contacts open and close continuously: neighbours may be a start."""
         return all(np.all(bearing.law.one_branch) for bearing in self.arrangement.bearings)
 
     @cached_property
     def tandem(self) -> Array:
-        """How many seats each bearing of the arrangement stands for (bearings,)."""
+        """Number of seats of each bearing of the arrangement (bearings,)."""
         return np.array([float(len(bearing.seats)) for bearing in self.arrangement.bearings])
 
     @cached_property
@@ -135,7 +135,7 @@ class Network:
         return np.array([bearing.model.both_ways for bearing in self.arrangement.bearings])
 
     def deflection(self, x: Array) -> Array:
-        """Axial deflection of every bearing (speeds, bearings) [m]."""
+        """Return the axial deflection of every bearing (speeds, bearings) [m]."""
         return x @ self.incidence.T + self._shift
 
     @cached_property
@@ -143,41 +143,43 @@ class Network:
         return np.stack([b.thrust * b.shortening for b in self.arrangement.bearings], axis=1)
 
     def respond(self, x: Array, near: Response | None = None) -> Response:
-        """Loads and slopes of the bearings at positions ``x``, every bearing solved by itself."""
+        """Return loads and slopes at positions ``x``, every bearing solved by itself."""
         displacement = self._displacement(x)
-        near_by = near.states if near is not None and near.states else None
-        every = range(displacement.shape[1])
-        states = self.solve_bearings(every, near_by, displacement=displacement)
+        start = near.states if near is not None and near.states else None
+        bearings = range(displacement.shape[1])
+        states = self.solve_bearings(bearings, start, displacement=displacement)
         load, slope = np.empty((2, *displacement.shape[:2]))
-        for each in states.values():
-            load[:, each.places] = each.state.load[..., 0]
-            slope[:, each.places] = each.state.complete_stiffness[..., 0, 0]
+        for batch in states.values():
+            load[:, batch.places] = batch.state.load[..., 0]
+            slope[:, batch.places] = batch.state.complete_stiffness[..., 0, 0]
         return Response(load, slope, states)
 
     def begin(self, x: Array) -> Response:
-        """The same to ``move`` on from, without states where the compiled solver does it."""
+        """Return a response to ``move`` on from, without states if the compiled solver is used."""
         from bearings.ball.law import Law
         from bearings.geometry import geometry
         from bearings.ring.assembly import axial_assembly
         from bearings.ring.compiled.states import loaded
 
         if not all(
-            isinstance(each.law, Law) and loaded(geometry(each.model.grooves))
-            for each in self.arrangement.bearings
+            isinstance(b.law, Law) and loaded(geometry(b.model.grooves))
+            for b in self.arrangement.bearings
         ):
             return self.respond(x)
         from bearings.ring.iterate import settled
 
         displacement = self._displacement(x)
-        asked = self._asked(range(displacement.shape[1]), displacement=displacement, load=None)
-        found = {
-            alike: (where, settled(points, axial_assembly))
-            for alike, (where, points) in asked.items()
+        operations = self._operations(
+            range(displacement.shape[1]), displacement=displacement, load=None
+        )
+        iterates = {
+            kind: (places, settled(points, axial_assembly))
+            for kind, (places, points) in operations.items()
         }
-        return self._response(BearingIterates(found))
+        return self._response(BearingIterates(iterates))
 
     def move(self, x: Array, near: Response) -> Response:
-        """Loads and slopes at positions ``x``, balls sought from where they were."""
+        """Return loads and slopes at positions ``x``, balls iterated from their last positions."""
         return self._response(near.bearings.moved(self._displacement(x)))
 
     def _displacement(self, x: Array) -> Array:
@@ -201,31 +203,31 @@ class Network:
         displacement: Array | None = None,
         load: Array | None = None,
     ) -> States:
-        """Bearings at given displacements or under loads in their own frames (speeds, places, 5).
+        """Solve bearings at displacements or under loads in their own frames (speeds, places, 5).
 
-        ``bearings``: which of the arrangement's is at every place. All of one model and law are
-        solved in one call; ``near``, states of the same places close by, speeds the search up.
+        ``bearings``: index of the arrangement's bearing at every place. All of one model and law
+        are solved in one call; ``near``: states close by, which speed up the search.
         """
         from bearings.ring.request import solved
 
-        found = {}
-        asked = self._asked(bearings, displacement=displacement, load=load)
-        for alike, (where, points) in asked.items():
-            alike[0].check_load(points.load, points.free)
-            start = None if near is None else near[alike].state
-            found[alike] = Solved(where, solved(points, start))
-        return found
+        states = {}
+        operations = self._operations(bearings, displacement=displacement, load=load)
+        for kind, (places, points) in operations.items():
+            kind[0].check_load(points.load, points.free)
+            start = None if near is None else near[kind].state
+            states[kind] = Solved(places, solved(points, start))
+        return states
 
-    def _asked(
+    def _operations(
         self, bearings: Sequence[int], *, displacement: Array | None, load: Array | None
     ) -> dict[Alike, tuple[list[int], Operation]]:
-        """Of all bearings of one model and law: their places, and what is asked of them."""
+        """Return places and operating conditions of the bearings by model and law."""
         from bearings.ring.operation import operation
 
         rows = np.arange(len(self.arrangement.speed))
-        at = [self.arrangement.bearings[k] for k in bearings]
+        chosen = [self.arrangement.bearings[k] for k in bearings]
         places: dict[Alike, list[int]] = {}
-        for place, bearing in enumerate(at):
+        for place, bearing in enumerate(chosen):
             places.setdefault((bearing.model, bearing.law), []).append(place)
         return {
             (model, law): (
@@ -236,15 +238,15 @@ class Network:
                     load=None if load is None else load[:, where],
                     displacement=None if displacement is None else displacement[:, where],
                     speed=self.arrangement.speed[:, None],
-                    static_growth=np.stack([at[p].static_growth for p in where], axis=1),
-                    growth=np.stack([at[p].growth for p in where], axis=1),
+                    static_growth=np.stack([chosen[p].static_growth for p in where], axis=1),
+                    growth=np.stack([chosen[p].growth for p in where], axis=1),
                 ),
             )
             for (model, law), where in places.items()
         }
 
     def forces(self, x: Array, response: Response) -> Array:
-        """Sum of forces on each body towards +x (speeds, bodies) [N]."""
+        """Return the sum of forces on each body towards +x (speeds, bodies) [N]."""
         springs = self.springs
         total = springs.force - springs.stiffness * (x - springs.rest) + self.friction
         total = total - (self.tandem * response.load) @ self.incidence
@@ -252,17 +254,17 @@ class Network:
         return total
 
     def error(self, x: Array, response: Response, fixed: Flags) -> tuple[Array, Array]:
-        """Unbalanced forces of the free bodies, and the largest over the largest force."""
-        miss = np.where(fixed, 0.0, self.forces(x, response))
-        size = (self.tandem * np.abs(response.load)).max(axis=1)
-        size = size + np.abs(self.springs.force).max(axis=1) + 1e-9
-        return miss, np.abs(miss).max(axis=1) / size
+        """Return residual forces of the free bodies, and the largest over the largest force."""
+        residual = np.where(fixed, 0.0, self.forces(x, response))
+        reference = (self.tandem * np.abs(response.load)).max(axis=1)
+        reference = reference + np.abs(self.springs.force).max(axis=1) + 1e-9  # never zero
+        return residual, np.abs(residual).max(axis=1) / reference
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class NetworkState:
-    """``position`` (speeds, bodies) [m], bodies ``held`` by a stop; ``error``, ``converged``
-    (speeds,)."""
+    """Axial state: ``position`` (speeds, bodies) [m], bodies ``held`` by a stop; ``error``,
+    ``converged`` (speeds,)."""
 
     position: Array
     held: Flags
@@ -271,7 +273,7 @@ class NetworkState:
     converged: Flags
 
     def rows(self, index: Indices) -> NetworkState:
-        """The same of some speeds."""
+        """Return the state at the speeds ``index``."""
         return NetworkState(
             self.position[index],
             self.held[index],
@@ -281,7 +283,7 @@ class NetworkState:
         )
 
     def parts(self, rows: Sequence[int]) -> Iterator[NetworkState]:
-        """Of machines side by side each one's, so many ``rows``."""
+        """Yield the state of each machine side by side; ``rows``: number of speeds of each."""
         if len(rows) == 1:
             yield self
             return

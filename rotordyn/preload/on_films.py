@@ -1,7 +1,7 @@
-"""The preload state of a spindle whose balls ride on their oil films.
+"""The preload state of a spindle whose balls run on their oil films.
 
-A film acts as if the inner groove were larger and moved along the axis (``bearings.on_film``):
-a rigid preload rises, the rings of a sprung one shift. Films depend on the loads, so that state and
+A film acts as if the inner groove were larger and shifted along the axis (``bearings.on_film``): a
+rigid preload rises, the rings of a sprung one shift. Films depend on the loads, so that state and
 films are iterated in turn. At rest there are none: springs keep their stated preload. Loads across
 the axis act on the films of the state without such loads: films differ little from ball to ball.
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from rotordyn.preload.state import PreloadState
 
 CLOSE = 1e-11  # m, change of the films at which the iteration ends
-MOST = 30  # iterations; films go as the load to −0.067, so that a few suffice
+MOST = 30  # iterations; a few suffice, as films vary with the load to the power −0.067
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -34,7 +34,7 @@ class Films:
     ``temperature`` [°C].
 
     ``growth``, ``axial`` (s, seats) [m]: apparent growth of the inner grooves, and their apparent
-    shift the way that loads the bearing; ``without`` (s, seats) [N]: axial loads without films.
+    shift in the loading direction; ``without`` (s, seats) [N]: axial loads without films.
     """
 
     lubricant: Lubricant
@@ -45,19 +45,19 @@ class Films:
     without: Array
 
     def at(self, speed: Array) -> tuple[Array, Array]:
-        """Growth and shift (n, seats) [m] at other speeds, interpolated linearly between the speeds
-        of the films; 0 at rest."""
+        """Return growth and shift (n, seats) [m] at other speeds, interpolated linearly between the
+        speeds of the films; 0 at rest."""
         if np.array_equal(speed, self.speed):
             return self.growth, self.axial
-        known = np.concatenate([[0.0], self.speed])
+        speeds = np.concatenate([[0.0], self.speed])
         growth, axial = (
-            np.stack([np.interp(speed, known, [0.0, *column]) for column in each.T], axis=1)
-            for each in (self.growth, self.axial)
+            np.stack([np.interp(speed, speeds, [0.0, *column]) for column in values.T], axis=1)
+            for values in (self.growth, self.axial)
         )
         return growth, axial
 
     def of(self, state: BearingState) -> Film:
-        """The films of a state."""
+        """Return the films of a bearing state."""
         from bearings.film import film
 
         return film(state, self.lubricant, self.temperature)
@@ -66,16 +66,16 @@ class Films:
 def on_films(
     solve: Callable[[Films | None], PreloadState], lubricant: Lubricant, temperature: float
 ) -> PreloadState:
-    """Fixed point of ``solve``: the state with those films that belong to that state."""
+    """Return the fixed point of ``solve``: the state whose films are those of that state."""
     from bearings.on_film import grown, kept
 
-    bare = state = solve(None)
-    none = np.zeros_like(bare.seat_load())
-    films = Films(lubricant, temperature, bare.speed, none, none, bare.seat_load())
+    dry = state = solve(None)
+    zero = np.zeros_like(dry.seat_load())
+    films = Films(lubricant, temperature, dry.speed, zero, zero, dry.seat_load())
     for _ in range(MOST):
-        found = [(grown(balls, films.of(balls)), at) for balls, at in state.seat_states()]
+        shifted = [(grown(balls, films.of(balls)), at) for balls, at in state.seat_states()]
         growth, axial = (
-            np.stack([both[part][:, at] for both, at in found], axis=1) for part in (0, 1)
+            np.stack([pair[part][:, at] for pair, at in shifted], axis=1) for part in (0, 1)
         )
         growth, axial = kept((growth, axial), (films.growth, films.axial))
         change = max(np.abs(growth - films.growth).max(), np.abs(axial - films.axial).max())

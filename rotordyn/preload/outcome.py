@@ -1,4 +1,4 @@
-"""Why a speed has no usable preload state, in words a designer can act on."""
+"""Reasons why a speed has no usable preload state, with what a designer can do about them."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.arrangement import SHAFT, Arrangement
 from rotordyn.preload.network import Network, NetworkState
 
-LEAST_PRELOAD = 0.05  # N: balls are placed to rounding, and loads below that no better than 1e-9
+LEAST_PRELOAD = 0.05  # N: by rounding of ball positions loads below are known to 1e-9 at best
 STILL = 1e-9  # m
-UNASKED = 1.0  # N, on bearings that carry nothing at rest, or not in this machine
+UNASKED = 1.0  # N: substitute load of bearings that carry none at rest
 LEAST_LOAD = 1e-6  # of the largest axial force: below it a bearing counts as unloaded
 
 
@@ -30,11 +30,11 @@ def outcomes(
     *,
     warm: bool,
 ) -> tuple[str, ...]:
-    """One sentence per speed: empty where the state is usable.
+    """Return one sentence per speed: empty where the state is usable.
 
-    ``rest``: the state under the stated preloads that everything else is measured from;
-    ``rest_loads`` of the bearings (bearings,), the external force included [N]; ``warm``:
-    temperatures differ from those of assembly.
+    ``rest``: the state under the stated preloads to which everything else refers; ``rest_loads`` of
+    the bearings (bearings,), the external force included [N]; ``warm``: temperatures differ from
+    those of assembly.
     """
     if not rest.converged[0] and np.abs(network.springs.force).max() >= LEAST_PRELOAD:
         sentence = (
@@ -45,20 +45,21 @@ def outcomes(
         return (sentence,) * len(net.converged)
     sound, failed = _sound(network, net), np.flatnonzero(~net.converged)
     lost = lost_at_speed(spindle, network, rest_loads(), failed) if failed.size else {}
-    words = tuple(
+    sentences = tuple(
         ("" if sound[row] else lost.get(row) or _outcome(spindle, network, net, row, warm=warm))
         or _sideways(spindle, network, rest, net, row)
         for row in range(len(net.converged))
     )
     pressed = any(network.arrangement.force * seat.thrust > 0.0 for seat in spindle.seats)
-    alone = "" if pressed else unopposed(spindle)
-    return (alone,) * len(words) if alone and all(words) else words
+    common = "" if pressed else unopposed(spindle)
+    return (common,) * len(sentences) if common and all(sentences) else sentences
 
 
 def _sideways(
     spindle: Spindle, network: Network, rest: NetworkState, net: NetworkState, row: int
 ) -> str:
-    """Bearings are solved under axial load alone: no support may turn axial shift into more."""
+    """Return the failure of a support that couples axial shift to other motion: bearings are solved
+    under axial load alone."""
     shift = float(net.position[row, SHAFT] - rest.position[0, SHAFT])
     pushing = [support for support in spindle.supports if support.sideways]
     if not pushing or abs(shift) <= STILL:
@@ -73,8 +74,8 @@ def _sideways(
 
 
 def _sound(network: Network, net: NetworkState) -> Flags:
-    """Speeds at which ``_outcome`` has nothing to say, most of them, all at once: in balance, all
-    bearings pressed and none too hard."""
+    """Return the speeds at which ``_outcome`` finds no failure, all at once: in balance, all
+    bearings loaded and none too heavily."""
     load = net.response.load
     size = np.fmax(pushed(network), np.abs(load).max(axis=1, initial=0.0))
     pressed = np.where(
@@ -88,24 +89,24 @@ def _sound(network: Network, net: NetworkState) -> Flags:
 
 
 def pushed(network: Network) -> float:
-    """Largest force of a spring and the one from outside [N]."""
+    """Return the largest force of a spring plus the external one [N]."""
     return float(np.abs(network.springs.force).max() + abs(network.arrangement.force))
 
 
 def unpreloaded(spindle: Spindle, network: Network, row: int) -> str:
-    """That hardly anything presses the bearings."""
+    """Return the failure of a machine whose bearings carry next to no load."""
     force, rpm = pushed(network), network.arrangement.speed[row] * 30.0 / math.pi
     if not spindle.sleeves and not force:
         return (
             f"no bearing is preloaded at {rpm:.0f} rpm, and no sleeve presses any: put one on a "
             "sleeve with a spring, give an arrangement with its preload, or an axial force"
         )
-    given = f" of {LEAST_PRELOAD:g} N or more: given {force:.3g} N" if force else ""
-    return f"no bearing is preloaded at {rpm:.0f} rpm: give the springs a preload{given}"
+    advice = f" of {LEAST_PRELOAD:g} N or more: given {force:.3g} N" if force else ""
+    return f"no bearing is preloaded at {rpm:.0f} rpm: give the springs a preload{advice}"
 
 
 def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int, *, warm: bool) -> str:
-    """Of a single speed: no preload, no equilibrium, a bearing without load or with too much."""
+    """Return the failure at one speed: no preload or equilibrium, a bearing un- or overloaded."""
     rpm = network.arrangement.speed[row] * 30.0 / math.pi
     load, names = net.response.load[row], _names(spindle, network)
     pressed = (net.response.slope[row] > 0.0) & network.both_ways  # by its own clearance
@@ -140,7 +141,7 @@ def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int, *,
 
 
 def _names(spindle: Spindle, network: Network) -> list[str]:
-    """Of every bearing of the arrangement."""
+    """Return the names of the seats of every bearing of the arrangement."""
     return [
         ", ".join(spindle.seats[k].name for k in bearing.seats)
         for bearing in network.arrangement.bearings
@@ -150,30 +151,30 @@ def _names(spindle: Spindle, network: Network) -> list[str]:
 def lost_at_speed(
     spindle: Spindle, network: Network, loads: Array, rows: Indices
 ) -> dict[int, str]:
-    """Of ``rows`` at which a bearing has no state under its axial load at rest, of ``loads``
-    (bearings,) [N]: which, and what helps."""
+    """Return failure and remedy for those of ``rows`` at which a bearing has no state under its
+    axial load at rest, of ``loads`` (bearings,) [N]."""
     from bearings.ring.condition import remedy
 
     carries = np.isfinite(loads) & ((loads > 0.0) | network.both_ways)
     load = np.zeros((len(rows), len(loads), 5))
     load[..., 0] = np.where(carries, loads, UNASKED)
-    names, speed, words = _names(spindle, network), network.arrangement.speed, {}
+    names, speed, failures = _names(spindle, network), network.arrangement.speed, {}
     solved = network.at(rows).solve_bearings(range(len(loads)), None, load=load)
-    for one in solved.values():
-        places, state = one.places, one.state
+    for batch in solved.values():
+        places, state = batch.places, batch.state
         lost = carries[places] & (state.outcome == "no equilibrium")
         for k, column in np.argwhere(lost).tolist():
             row, place = int(rows[k]), places[column]
-            words[row] = (
+            failures[row] = (
                 f"bearing {names[place]} has no equilibrium at {speed[row] * 30.0 / math.pi:.0f} "
                 f"rpm under the {loads[place]:.4g} N along its axis at rest: {remedy(state)}"
             )
-    return words
+    return failures
 
 
 def _idle(network: Network, net: NetworkState, row: int) -> list[int]:
-    """Bearings whose lost preload leaves play: without any load, and no force from outside presses
-    the shaft against others."""
+    """Return the bearings whose lost preload leaves play: they carry no load, and no external force
+    presses the shaft against others."""
     load = net.response.load[row]
     pressed = np.where(network.both_ways, load != 0.0, load > 0.0)
     if network.arrangement.force and net.converged[row] and pressed.any():
@@ -183,7 +184,7 @@ def _idle(network: Network, net: NetworkState, row: int) -> list[int]:
 
 
 def pushed_apart(names: Sequence[str], load: Array, both_ways: Flags, rpm: float) -> str:
-    """That a bearing for thrust one way would be pressed from the other side, or nothing.
+    """Return the failure of a bearing for thrust one way that is loaded from the other side, or "".
 
     ``load`` (bearings,): axial loads in their own frames [N].
     """
@@ -208,7 +209,7 @@ def _unbalanced(joined: Arrangement, rpm: float) -> str:
 
 
 def _overload(names: list[str], net: NetworkState, row: int, rpm: float) -> str:
-    """A bearing pressed beyond what results still mean anything for."""
+    """Return the failure of a bearing whose contact pressure exceeds the range of valid results."""
     for solved in net.response.states.values():
         peak = np.fmax(solved.state.inner_pressure, solved.state.outer_pressure)[row].max(axis=-1)
         over = np.flatnonzero(peak > HIGHEST_PRESSURE)

@@ -1,11 +1,11 @@
-"""Shaft and sleeves along the axis with dry friction, at many forces at once.
+"""Axial motion of shaft and sleeves with dry friction, at many forces at once.
 
-Every sleeve slides in the housing and touches the shaft alone, so that its place follows from that
-of the shaft: friction leaves it where it is between the places at which it would slide either way
-(the play operator). Where the shaft moves one way, all forces of the way are solved together.
+Every sleeve slides in the housing and touches the shaft alone, so that its position follows from
+that of the shaft: friction holds it between the positions at which it would slide in either
+direction (the play operator). Forces under which the shaft moves one way are solved together.
 
 ``rotordyn.preload.history`` solves the same physics event by event, for any history of loads and
-temperatures. This one stands beside it for identification, which asks for thousands of machines.
+temperatures. This solver serves identification, which needs thousands of machines.
 
 Theory: docs/theory/identification.md.
 """
@@ -36,25 +36,25 @@ from rotordyn.preload.arrangement import (
 from rotordyn.preload.axial_curves import BearingCurves, Curve
 from rotordyn.preload.on_films import Films
 
-GRID = np.arange(-1500.0, 500.0, 4.0)  # places of the shaft tried around the last one
-STEPS, EXACT, BALANCED = 60, 1e-12, 1e-5  # of the search between two places of the grid [m], [N]
+GRID = np.arange(-1500.0, 500.0, 4.0)  # positions of the shaft tried around the last one
+STEPS, EXACT, BALANCED = 60, 1e-12, 1e-5  # of the search between two grid points [m], [N]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class BearingGroup:
-    """Bearings whose outer rings one body holds, each with its curve at speed number ``row``."""
+    """Bearings whose outer rings one body carries, each with its curve at speed number ``row``."""
 
     bearings: tuple[tuple[AxialBearing, Curve], ...]
     row: int
 
     @classmethod
     def on(cls, body: int, joined: Arrangement, curves: list[Curve], row: int) -> BearingGroup:
-        """Those of a sleeve or of the housing, which may hold none."""
+        """Return the bearings of a sleeve or of the housing, which may carry none."""
         pairs = zip(joined.bearings, curves, strict=True)
         return cls(tuple((b, curve) for b, curve in pairs if b.outer == body), row)
 
     def __call__(self, w: Array) -> Array:
-        """Force of the shaft on the body towards +x where the shaft stands by w [m] off [N]."""
+        """Return the force of the shaft on the body towards +x [N] at shaft offsets ``w`` [m]."""
         force = 0.0 * w
         for b, curve in self.bearings:
             force = force + b.thrust * len(b.seats) * curve(b.thrust * (w + b.shortening[self.row]))
@@ -62,12 +62,12 @@ class BearingGroup:
 
     @property
     def places(self) -> Array:
-        """Offsets w of the shaft at which the curve of the first has points, ascending [m]."""
+        """Shaft offsets w at the points of the first bearing's curve, ascending [m]."""
         first, curve = self.bearings[0]
         return np.sort(first.thrust * curve.deflection) - first.shortening[self.row]
 
     def standing(self, force: float) -> float:
-        """Where the shaft stands off as it pushes with a force [m]."""
+        """Return the shaft offset [m] at which it pushes with a ``force`` [N]."""
         w = self.places
         loads = self(w)
         if not loads[0] <= force <= loads[-1]:
@@ -77,8 +77,8 @@ class BearingGroup:
 
 @dataclass(frozen=True, eq=False)
 class SlidingSleeve:
-    """A sleeve with its spring and stop, its ``place`` at rest [m], the limit of its ``friction``
-    [N], and its bearings."""
+    """Sleeve with its spring and stop, its position ``place`` at rest [m], the limit of its
+    ``friction`` [N], and its bearings."""
 
     push: Push
     place: float
@@ -87,26 +87,26 @@ class SlidingSleeve:
 
     @cached_property
     def sliding(self) -> list[tuple[Array, Array]]:
-        """Positions of the shaft, and of the sleeve that just slides towards −x and +x there."""
+        """Positions of the shaft, and of the sleeve about to slide towards −x and +x there."""
         w = self.bearings.places
         free = self.push.direction * self.push.preload + self.bearings(w)
         limits = -self.friction, self.friction
-        found = [self.place + (free + limit) / self.push.stiffness for limit in limits]
-        return [(x + w, x) for x in found]
+        positions = [self.place + (free + limit) / self.push.stiffness for limit in limits]
+        return [(x + w, x) for x in positions]
 
     def between(self, u: Array) -> tuple[Array, ...]:
-        """Lowest and highest place at which friction holds the sleeve, the shaft at u [m]."""
+        """Return the lowest and highest position of a sticking sleeve, the shaft at u [m]."""
         if rigid(self.push):
             return np.full_like(u, self.place), np.full_like(u, self.place)
         end = self.place - self.push.direction * self.push.travel
         stopped = np.maximum if self.push.direction > 0 else np.minimum
-        return tuple(stopped(np.interp(u, *each), end) for each in self.sliding)
+        return tuple(stopped(np.interp(u, *table), end) for table in self.sliding)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class AtSpeed:
-    """The machine at one speed: sleeves, bearings in the housing, ``support`` [N/m] along the axis
-    that holds the shaft at ``place`` [m]; ``unit`` of the largest of its bearings [m]."""
+    """Machine at one speed: sleeves, bearings in the housing, ``support`` [N/m] along the axis that
+    holds the shaft at ``place`` [m]; ``unit``: 1/1000 of the largest free distance [m]."""
 
     sleeves: tuple[SlidingSleeve, ...]
     fixed: BearingGroup
@@ -115,21 +115,21 @@ class AtSpeed:
     unit: float
 
     def solved(self, force: Array, before: Array) -> Array:
-        """Positions (n, bodies) under forces on the shaft that rise, or fall, from ``before``
-        (bodies,)."""
+        """Return positions (n, bodies) under forces on the shaft that rise, or fall, from
+        ``before`` (bodies,)."""
 
-        def total(u: Array) -> tuple[Array, list[Array]]:
-            held = self.support * (u - self.place) + self.fixed(u)
+        def load_at(u: Array) -> tuple[Array, list[Array]]:
+            load = self.support * (u - self.place) + self.fixed(u)
             places = []
             for sleeve, x in zip(self.sleeves, before[SHAFT + 1 :], strict=True):
                 low, high = sleeve.between(u)
                 places.append(np.minimum(np.maximum(x, low), high))
-                held = held + sleeve.bearings(u - places[-1])
-            return held, places
+                load = load + sleeve.bearings(u - places[-1])
+            return load, places
 
         grid = before[SHAFT] + GRID * self.unit
-        held = total(grid)[0]
-        right = np.searchsorted(held, force)
+        load = load_at(grid)[0]
+        right = np.searchsorted(load, force)
         outside = (right == 0) | (right == len(grid))
         if outside.any():
             raise NoSolution(
@@ -137,15 +137,15 @@ class AtSpeed:
                 "holds it any longer; lower the force, or hold it with a spring or a stop"
             )
         left = right - 1
-        ends = (grid[left], held[left] - force), (grid[right], held[right] - force)
-        u = _root(lambda u: total(u)[0] - force, *ends)
-        return np.stack([u, *total(u)[1]], axis=1)
+        ends = (grid[left], load[left] - force), (grid[right], load[right] - force)
+        u = _root(lambda u: load_at(u)[0] - force, *ends)
+        return np.stack([u, *load_at(u)[1]], axis=1)
 
 
 def _root(
     call: Callable[[Array], Array], low: tuple[Array, Array], high: tuple[Array, Array]
 ) -> Array:
-    """Roots between places with their values, of functions that rise, by the Illinois rule."""
+    """Return roots of increasing functions between brackets with values, by the Illinois method."""
     (a, fa), (b, fb) = low, high
     for _ in range(STEPS):
         rise = np.where(fb != fa, fb - fa, 1.0)
@@ -153,8 +153,8 @@ def _root(
         f = call(u)
         across = f * fb < 0.0
         a, fa = np.where(across, b, a), np.where(across, fb, 0.5 * fa)
-        moved, b, fb = np.abs(u - b), u, f
-        done = (np.abs(f) < BALANCED) | (np.minimum(moved, np.abs(b - a)) < EXACT)
+        change, b, fb = np.abs(u - b), u, f
+        done = (np.abs(f) < BALANCED) | (np.minimum(change, np.abs(b - a)) < EXACT)
         if done.all():
             break
     return b
@@ -164,9 +164,9 @@ def _root(
 class AxialRunUp:
     """A machine run up from rest through ``speed`` [rad/s], then under the static ``force`` [N].
 
-    ``bodies``: shaft, then sleeves. ``mounted`` (bodies,): where they stand at rest under stated
-    preloads alone, ``standstill`` at the temperatures and under that force, too; ``idle`` (speeds,
-    bodies): under it at every speed of the run-up [m]; ``at``: the machine at each of them.
+    ``bodies``: shaft, then sleeves. Positions [m]: ``mounted`` (bodies,) at rest under stated
+    preloads alone, ``standstill`` also at the temperatures and under that force; ``idle``
+    (speeds, bodies) under it at every speed of the run-up; ``at``: the machine at each of them.
     """
 
     bodies: tuple[str, ...]
@@ -179,17 +179,17 @@ class AxialRunUp:
 
     @property
     def shift(self) -> Array:
-        """How far bodies are from where they stand at rest (speeds, bodies) [m]."""
+        """Displacement of the bodies from standstill (speeds, bodies) [m]."""
         return self.idle - self.standstill
 
     def under(self, row: int, forces: Sequence[float] | Array) -> Array:
-        """The same under further axial forces [N] one after the other, from the idle state
-        (forces, bodies) [m]."""
-        state, found = self.idle[row], []
-        for part in _ways(np.asarray(forces, dtype=float)):
-            found.append(self.at[row].solved(self.force + part, state))
-            state = found[-1][-1]
-        return np.concatenate(found) - self.standstill
+        """Return displacements from standstill under successive further axial forces [N], beginning
+        in the idle state (forces, bodies) [m]."""
+        state, positions = self.idle[row], []
+        for part in _monotonic(np.asarray(forces, dtype=float)):
+            positions.append(self.at[row].solved(self.force + part, state))
+            state = positions[-1][-1]
+        return np.concatenate(positions) - self.standstill
 
     def cycle(
         self,
@@ -199,27 +199,27 @@ class AxialRunUp:
         lowest: float | None = None,
         highest: float | None = None,
     ) -> tuple[Array, Array]:
-        """Shifts on both branches of a closed cycle, at forces in the order of the branch [N].
+        """Return shifts on both branches of a closed cycle, at forces in order of the branch [N].
 
         From ``highest`` to ``lowest`` and back, by default those of the forces.
         """
-        every = np.concatenate([falling, rising])
-        high = float(every.max()) if highest is None else highest
-        low = float(every.min()) if lowest is None else lowest
+        forces = np.concatenate([falling, rising])
+        high = float(forces.max()) if highest is None else highest
+        low = float(forces.min()) if lowest is None else lowest
         path = np.concatenate([[high, low, high], falling, [low], rising])
         shifts, first = self.under(row, path)[3:], len(falling)
         return shifts[:first], shifts[first + 1 :]
 
 
-def _ways(forces: Array) -> Iterator[Array]:
-    """Parts along which forces do not turn."""
-    sign = np.sign(np.diff(forces))
-    start, way = 0, 0.0
-    for k, one in enumerate(sign):
-        if one * way < 0.0:
+def _monotonic(forces: Array) -> Iterator[Array]:
+    """Yield the monotonic parts of ``forces``."""
+    signs = np.sign(np.diff(forces))
+    start, direction = 0, 0.0
+    for k, step in enumerate(signs):
+        if step * direction < 0.0:
             yield forces[start : k + 1]
-            start, way = k + 1, one
-        way = one or way
+            start, direction = k + 1, step
+        direction = step or direction
     yield forces[start:]
 
 
@@ -233,11 +233,11 @@ def axial_run_up(
     films: Films | None = None,
     weight: float = 0.0,
 ) -> AxialRunUp:
-    """``spindle`` run up through ``speed`` [rad/s], in this order.
+    """Run ``spindle`` up through ``speed`` [rad/s], in this order.
 
-    ``force``: static one on the shaft [N], of which the ``weight`` acts from assembly on, the rest
-    from when a speed is reached, as without a ``history`` of the conditions; ``curves``: those
-    solved for machines before; ``films`` on which balls ride at speed.
+    ``force``: static force on the shaft [N], of which the ``weight`` acts from assembly on, the
+    rest once a speed is reached, as without a ``history`` of the conditions; ``curves``: those
+    solved for previous machines; ``films`` of the balls at speed.
 
     Raises
     ------
@@ -246,50 +246,50 @@ def axial_run_up(
     curves = curves or BearingCurves()
     joined = arrangement(spindle, speed, force, law, temperatures, films)
     at_rest = [temperatures] if weight == 0.0 or temperatures is None else [None, temperatures]
-    still = [arrangement(spindle, np.zeros(1), force, law, each) for each in at_rest]
+    resting = [arrangement(spindle, np.zeros(1), force, law, t) for t in at_rest]
     mounted = _mounted(as_mounted(joined), curves)
     at = [
-        _at_speed(spindle, each, of_bearings, row, mounted)
-        for each in (*still, joined)
-        for row, of_bearings in enumerate(curves.of(each))
+        _at_speed(spindle, arranged, of_bearings, row, mounted)
+        for arranged in (*resting, joined)
+        for row, of_bearings in enumerate(curves.of(arranged))
     ]
     passed = mounted
-    reached = [passed := one.solved(np.array([weight]), passed)[0] for one in at]
+    reached = [passed := machine.solved(np.array([weight]), passed)[0] for machine in at]
     if force != weight:
         pairs = zip(at, reached, strict=True)
-        reached = [one.solved(np.array([force]), state)[0] for one, state in pairs]
-    run_up = len(still)
+        reached = [machine.solved(np.array([force]), state)[0] for machine, state in pairs]
+    run_up = len(resting)
     idle = np.array(reached[run_up:]).reshape(-1, len(mounted))
     standstill = reached[run_up - 1]
     return AxialRunUp(joined.bodies, speed, force, mounted, standstill, idle, tuple(at[run_up:]))
 
 
 def _mounted(resting: Arrangement, known: BearingCurves) -> Array:
-    """Positions at rest under the stated preloads alone (bodies,) [m]."""
+    """Return the positions at rest under the stated preloads alone (bodies,) [m]."""
     curves = known.of(resting)[0]
     fixed = BearingGroup.on(HOUSING, resting, curves, 0)
-    pushed = sum(push.direction * push.preload for push in resting.pushes)
-    shaft = fixed.standing(pushed) if fixed.bearings else 0.0
-    off = [
+    preload = sum(push.direction * push.preload for push in resting.pushes)
+    shaft = fixed.standing(preload) if fixed.bearings else 0.0
+    offsets = [
         BearingGroup.on(p.body, resting, curves, 0).standing(-p.direction * p.preload)
         for p in resting.pushes
     ]
-    return np.array([shaft, *(shaft - each for each in off)])
+    return np.array([shaft, *(shaft - offset for offset in offsets)])
 
 
 def _at_speed(
     spindle: Spindle, joined: Arrangement, curves: list[Curve], row: int, mounted: Array
 ) -> AtSpeed:
-    """The machine at speed number ``row``; ``mounted`` (bodies,): positions as mounted [m]."""
+    """Return the machine at speed number ``row``; ``mounted`` (bodies,): mounted positions [m]."""
 
-    def on(body: int) -> BearingGroup:
+    def group(body: int) -> BearingGroup:
         return BearingGroup.on(body, joined, curves, row)
 
     sleeves = tuple(
-        SlidingSleeve(push, float(mounted[push.body]), sleeve.friction, on(push.body))
+        SlidingSleeve(push, float(mounted[push.body]), sleeve.friction, group(push.body))
         for push, sleeve in zip(joined.pushes, spindle.sleeves, strict=True)
     )
-    support = sum(each.along for each in spindle.supports)
+    support = sum(s.along for s in spindle.supports)
     unit = 1e-3 * max(bearing.model.free_distance for bearing in joined.bearings)
     place = float(mounted[SHAFT] - joined.support_shift[row])
-    return AtSpeed(sleeves, on(HOUSING), support, place, unit)
+    return AtSpeed(sleeves, group(HOUSING), support, place, unit)

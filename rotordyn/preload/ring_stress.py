@@ -13,8 +13,8 @@ YIELD = 1.5e9  # Pa, of hardened bearing steel with little margin
 
 
 def ring_stress(spindle: Spindle, speed: Array, temperatures: Temperatures | None = None) -> Array:
-    """Stress after Tresca, hoop stress and pressure at the bore, of every fitted inner ring that
-    turns at ``speed`` [rad/s], NaN without a fit (speeds, seats) [Pa]."""
+    """Return the Tresca stress, hoop stress plus pressure at the bore, of every fitted inner ring
+    that rotates at ``speed`` [rad/s], NaN without a fit (speeds, seats) [Pa]."""
     stress = np.full((len(speed), len(spindle.seats)), np.nan)
     for k, seat in enumerate(spindle.seats):
         fit = inner_fit(seat)

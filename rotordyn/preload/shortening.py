@@ -14,29 +14,29 @@ from rotordyn.machine.temperatures import Temperatures
 
 
 def seat_shifts(spindle: Spindle, speed: Array) -> Array:
-    """Shift of every seat towards +x at every speed, shape (speeds, seats) [m]."""
+    """Return the shift of every seat towards +x at every speed, shape (speeds, seats) [m]."""
     rule = spindle.shortening
     if isinstance(rule, PrescribedShortening):
-        given = [rule.shift.get(seat.name, 0.0) for seat in spindle.seats]
-        return np.multiply.outer((speed / rule.speed) ** 2, given)
+        shifts = [rule.shift.get(seat.name, 0.0) for seat in spindle.seats]
+        return np.multiply.outer((speed / rule.speed) ** 2, shifts)
     return _shortened(spindle, speed, [seat.x for seat in spindle.seats])
 
 
 def thermal_shifts(spindle: Spindle, speed: Array, temperatures: Temperatures) -> Array:
-    """Shift of every seat on the shaft against the one in the housing by their temperatures,
-    towards +x, shape (speeds, seats) [m].
+    """Return the thermal shift of every seat on the shaft relative to that in the housing, towards
+    +x, shape (speeds, seats) [m].
 
     Both are counted from where the shaft does not shift, or from the first bearing. The parts of a
-    sleeve are as warm as the housing, which takes its spring and stop along.
+    sleeve are as warm as the housing, with which its spring and stop move.
     """
     return _expanded(spindle, speed, temperatures, [seat.x for seat in spindle.seats])
 
 
 def support_shift(spindle: Spindle, speed: Array, temperatures: Temperatures | None) -> Array:
-    """The same where supports hold the shaft along its axis, on a ground as warm as the housing:
-    the mean by their stiffness (speeds,) [m].
+    """Return the shift of the shaft at the supports that hold it along its axis, on a ground as
+    warm as the housing: the mean weighted by their stiffness (speeds,) [m].
 
-    Where the shifts of seats are prescribed nothing is known of supports, and speed does not shift
+    Where the shifts of seats are prescribed those of supports are unknown, and speed does not shift
     the shaft there.
     """
     stiffness = np.array([support.along for support in spindle.supports])
@@ -50,7 +50,7 @@ def support_shift(spindle: Spindle, speed: Array, temperatures: Temperatures | N
 
 
 def _shortened(spindle: Spindle, speed: Array, stations: Sequence[float]) -> Array:
-    """Computed shift of the shaft at stations [m] by rotation (speeds, stations) [m]."""
+    """Return the computed shift of the shaft at stations [m] by rotation (speeds, stations) [m]."""
     rule = spindle.shortening
     if not isinstance(rule, ComputedShortening):
         return np.zeros((len(speed), len(stations)))
@@ -61,17 +61,17 @@ def _shortened(spindle: Spindle, speed: Array, stations: Sequence[float]) -> Arr
 def _expanded(
     spindle: Spindle, speed: Array, temperatures: Temperatures, stations: Sequence[float]
 ) -> Array:
-    """Shift of the shaft against the housing at stations [m] by heat (speeds, stations) [m]."""
+    """Return the thermal shift of shaft against housing at stations [m] (speeds, stations) [m]."""
     rule, seats = spindle.shortening, spindle.seats
     start = rule.reference if isinstance(rule, ComputedShortening) else min(s.x for s in seats)
-    rises = temperatures.rises(seats[0].name, speed)  # of shaft and housing, alike at all seats
+    rises = temperatures.rises(seats[0].name, speed)  # of shaft and housing, equal at all seats
     shaft = [expansion(spindle.shaft, start, x) for x in stations]
     housing = [temperatures.housing_expansion * (x - start) for x in stations]
     return np.multiply.outer(rises.shaft, shaft) - np.multiply.outer(rises.housing, housing)
 
 
 def expansion(shaft: Shaft, start: float, end: float) -> float:
-    """∫ α dx from ``start`` to ``end`` over a shaft [m/K]."""
+    """Return ∫ α dx from ``start`` to ``end`` over a shaft [m/K]."""
     low, high = min(start, end), max(start, end)
     total = 0.0
     for section, left, right in zip(
@@ -83,7 +83,7 @@ def expansion(shaft: Shaft, start: float, end: float) -> float:
 
 
 def strain_integral(shaft: Shaft, start: float, end: float) -> float:
-    """∫ ε dx / Ω² from ``start`` to ``end`` over a free shaft turning at Ω [m·s²]."""
+    """Return ∫ ε dx / Ω² from ``start`` to ``end`` over a free shaft rotating at Ω [m·s²]."""
     edges = shaft.boundaries
     low, high = min(start, end), max(start, end)
     total = 0.0
@@ -96,8 +96,8 @@ def strain_integral(shaft: Shaft, start: float, end: float) -> float:
 
 
 def _strain(section: Section, shares: Sequence[float]) -> float:
-    """Mean axial strain of a free rotating hollow cylinder over Ω²: −ν ρ (ro² + ri²) / (2 E); its
-    mean between two ``shares`` of a cone."""
+    """Return the mean axial strain of a free rotating hollow cylinder over Ω², −ν ρ (ro² + ri²) /
+    (2 E), averaged between two ``shares`` of a cone."""
     material, radii = section.material, 0.0
     for front, rear in (section.outer, section.inner):
         a, b = (front + share * (rear - front) for share in shares)

@@ -27,23 +27,23 @@ if TYPE_CHECKING:
     from rotordyn.preload.together import Place
 
 FAR = 1e-3  # m: no gap of a stop is that large
-LEAST = 1e-9  # N, of a closed stop
-TOUCHING = 1e-11  # m: a sleeve so near its stop, held by friction, stands at it
-STICKING = 1.0 - 1e-9  # of the limit of friction: what carries less holds its sleeve
-SOFT = 1e8  # N/m
+LEAST = 1e-9  # N: least force of a closed stop
+TOUCHING = 1e-11  # m: a sleeve held by friction this close to its stop is at it
+STICKING = 1.0 - 1e-9  # of the limit of friction: a sleeve with less friction sticks
+SOFT = 1e8  # N/m: stiffness that turns forces of closed stops into gaps
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class PreloadState:
     """Axial equilibrium at every speed.
 
-    ``force``: external axial force [N]; ``law``: of balls where a seat says nothing else;
-    ``mounted``: the network at rest under its stated preloads; ``limit`` (bodies,): where a stop
-    ends the travel (NaN without one) [m]; ``net``: the network at every speed; ``outcome`` per
-    speed: empty, or why there is no usable state; ``lateral`` (speeds, p): coordinates of the rotor
-    under loads across the axis, None without any; ``temperatures``: None where all are those of
-    assembly; ``films``: those that balls ride on, or None; ``past``: what came before; ``place``:
-    its own among states that are solved together, or None.
+    ``force``: external axial force [N]; ``law``: of balls where a seat has none of its own;
+    ``mounted``: the network at rest under its stated preloads; ``limit`` (bodies,): position at
+    which a stop ends the travel (NaN without one) [m]; ``net``: the network at every speed;
+    ``outcome`` per speed: empty, or why there is no usable state; ``lateral`` (speeds, p):
+    coordinates of the rotor under loads across the axis, None without any; ``temperatures``: None
+    where all are those of assembly; ``films`` of the balls, or None; ``past``: the history before;
+    ``place`` among states that are solved together, or None.
     """
 
     spindle: Spindle
@@ -61,11 +61,13 @@ class PreloadState:
     place: Place | None = None
 
     def coordinates(self, count: int) -> Array:
-        """Those ``count`` of the rotor across the axis, then the positions (speeds, …)."""
-        none = np.zeros((len(self.speed), count))
-        lateral = none if self.lateral is None else self.lateral
-        known = np.where(self.net.converged[:, None], self.net.position, self.rest)
-        return np.concatenate([lateral, np.where(np.isfinite(known), known, self.rest)], axis=1)
+        """Return ``count`` coordinates of the rotor across the axis, then positions (speeds, …)."""
+        zero = np.zeros((len(self.speed), count))
+        lateral = zero if self.lateral is None else self.lateral
+        position = np.where(self.net.converged[:, None], self.net.position, self.rest)
+        return np.concatenate(
+            [lateral, np.where(np.isfinite(position), position, self.rest)], axis=1
+        )
 
     @property
     def rest(self) -> Array:
@@ -80,18 +82,18 @@ class PreloadState:
     @property
     def usable(self) -> Flags:
         """Speeds with a physical state (speeds,)."""
-        return np.array([word == "" for word in self.outcome])
+        return np.array([outcome == "" for outcome in self.outcome])
 
     @property
     def shift(self) -> Array:
-        """Axial shift of every body from its place at rest (speeds, bodies) [m]."""
+        """Axial shift of every body from its position at rest (speeds, bodies) [m]."""
         return self.net.position - self.rest
 
     @property
     def spring_force(self) -> Array:
         """Spring forces, positive where they load the bearings (speeds, sleeves) [N].
 
-        A rigid preload carries what its bearings ask for.
+        A rigid preload carries the force that balances its bearings.
         """
         of_bodies = self.network.springs
         elastic = of_bodies.force - of_bodies.stiffness * self.shift
@@ -104,11 +106,11 @@ class PreloadState:
         return np.where(self.net.held, np.abs(self._unbalanced), 0.0)[:, SHAFT + 1 :]
 
     def stop_gaps(self) -> Array:
-        """Gap of every end stop (speeds, sleeves) [m]; ``FAR`` where there is no state.
+        """Return the gap of every end stop (speeds, sleeves) [m]; ``FAR`` where there is no state.
 
-        Negative where it is closed, by what its force, and what friction could carry besides, would
-        press a spring ``SOFT`` together: so it goes on beyond the stop, and the speed at which that
-        is met, or left, is a root. It may touch zero in between, where the force of the stop ends.
+        That of a closed stop is negative: the deflection of a spring ``SOFT`` under the stop's
+        force and the reserve of friction. So the gap continues beyond the stop, and the speed at
+        which it is met or left is a root. It may touch zero between, where the stop's force ends.
         """
         force = self.stop_force + (self.rubs[SHAFT + 1 :] - np.abs(self.friction_force))
         return np.where(self.stopped, -np.maximum(force, LEAST) / SOFT, self._gap)
@@ -116,7 +118,7 @@ class PreloadState:
     @property
     def stopped(self) -> Flags:
         """Sleeves at their stops (speeds, sleeves): those that press on them, and those that
-        friction holds there, pressed on or not."""
+        friction holds there, with or without a stop force."""
         return self.net.held[:, SHAFT + 1 :] | (self.stuck & (self._gap <= TOUCHING))
 
     @property
@@ -126,7 +128,7 @@ class PreloadState:
 
     @property
     def _gap(self) -> Array:
-        """From every sleeve to its stop (speeds, sleeves) [m]."""
+        """Distance of every sleeve from its stop (speeds, sleeves) [m]."""
         gap = self.network.arrangement.direction * (self.net.position - self.limit)
         return np.where(np.isfinite(gap), gap, FAR)[:, SHAFT + 1 :]
 
@@ -142,21 +144,21 @@ class PreloadState:
 
     @property
     def _unbalanced(self) -> Array:
-        """What stops and rigid preloads carry (speeds, bodies) [N]."""
+        """Forces carried by stops and rigid preloads (speeds, bodies) [N]."""
         return self.network.forces(self.net.position, self.net.response)
 
     def seat_states(self) -> list[tuple[BearingState, int]]:
-        """For every seat, its bearing model's batched state and its column there."""
+        """Return for every seat the batched state of its bearing model and its column there."""
         arrangement = self.network.arrangement
-        place: dict[int, tuple[BearingState, int]] = {}
+        by_seat: dict[int, tuple[BearingState, int]] = {}
         for solved in self.net.response.states.values():
             for column, bearing in enumerate(solved.places):
                 for seat in arrangement.bearings[bearing].seats:
-                    place[seat] = (solved.state, column)
-        return [place[seat] for seat in sorted(place)]
+                    by_seat[seat] = (solved.state, column)
+        return [by_seat[seat] for seat in sorted(by_seat)]
 
     def small_shims(self) -> list[str]:
-        """A sentence for each bearing an arc of whose grooves presses beyond their middle."""
+        """Return a sentence for each bearing in which an arc presses beyond its groove's middle."""
         from bearings.ring.truncation import truncation
 
         sentences = []
@@ -173,18 +175,17 @@ class PreloadState:
         return sentences
 
     def seat_load(self) -> Array:
-        """Axial load of every bearing in its own frame (speeds, seats) [N]."""
+        """Return the axial load of every bearing in its own frame (speeds, seats) [N]."""
         columns = [state.load[:, column, 0] for state, column in self.seat_states()]
         return np.stack(columns, axis=1)
 
     def mounted_load(self) -> Array:
-        """Axial load of every bearing at rest under the stated preloads, as assembled (seats,)
-        [N]."""
+        """Return the axial load of every bearing at rest under stated preloads (seats,) [N]."""
         return self.mounted.response.load[0, self.network.arrangement.bearing_of_seat]
 
     def seat_stiffness(self, tangent: str = "complete") -> Array:
-        """A tangent of every bearing in its own frame (speeds, seats, 5, 5); on films the complete
-        one, contacts in series with them."""
+        """Return a tangent of every bearing in its own frame (speeds, seats, 5, 5); with films the
+        complete one, contacts in series with them."""
         from bearings.ring.tangents import stiffness as tangent_of
 
         seats = self.seat_states()
@@ -198,31 +199,31 @@ class PreloadState:
         return np.stack([stiffness[state][:, column] for state, column in seats], axis=1)
 
     def seat_growth(self) -> Array:
-        """Total radial growth of every inner groove centre (speeds, seats) [m]."""
+        """Return the radial growth of every inner groove centre (speeds, seats) [m]."""
         joined = self.network.arrangement
         growth = np.stack([bearing.growth for bearing in joined.bearings], axis=1)
         return growth[:, joined.bearing_of_seat]
 
     def rest_loads(self) -> Array:
-        """Axial load of every bearing at rest, external force included (bearings,) [N], or NaN."""
+        """Return axial bearing loads at rest with the external force (bearings,) [N], or NaN."""
         net = self.mounted
         if self.force:
-            still = replace(as_mounted(self.network.arrangement), force=self.force)
-            frictionless = Network(still, springs(self.spindle, still, self.mounted.position))
+            at_rest = replace(as_mounted(self.network.arrangement), force=self.force)
+            frictionless = Network(at_rest, springs(self.spindle, at_rest, self.mounted.position))
             net = with_stops(frictionless, self.limit[None], self.rest[None])
         return np.where(net.converged[0], net.response.load[0], np.nan)
 
     def with_travels(self, travel: Mapping[str, float], index: Indices) -> PreloadState:
-        """The state at some of its speeds, stops of some sleeves ending another ``travel`` [m]."""
+        """Return the state at speeds ``index``, some sleeves with another stop ``travel`` [m]."""
         return self._solved.with_travels(travel, index)
 
     def under_rest_loads(self, bearings: Sequence[int]) -> list[Solved]:
-        """Some bearings of the arrangement at every speed, each under its axial load at rest."""
+        """Return states of some bearings at every speed, each under its axial load at rest."""
         return self._solved.under_rest_loads(bearings)
 
     def stop_speeds(self) -> Array:
-        """Speed at which each sleeve meets its stop (sleeves,) [rad/s], without friction and loads
-        across the axis; NaN: it does not."""
+        """Return the speed at which each sleeve meets its stop (sleeves,) [rad/s], without friction
+        and loads across the axis; NaN if it does not."""
         return self._solved.stop_speeds()
 
     @property
@@ -231,8 +232,8 @@ class PreloadState:
         return self.place
 
     def rows(self, index: Indices) -> PreloadState:
-        """The state at some of its speeds, without loads across the axis."""
+        """Return the state at the speeds ``index``, without loads across the axis."""
         network, net = self.network.at(index), self.net.rows(index)
         warm = self.temperatures is not None
-        words = outcomes(self.spindle, network, self.mounted, net, self.rest_loads, warm=warm)
-        return replace(self, network=network, net=net, outcome=words, place=None)
+        outcome = outcomes(self.spindle, network, self.mounted, net, self.rest_loads, warm=warm)
+        return replace(self, network=network, net=net, outcome=outcome, place=None)

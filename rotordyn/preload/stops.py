@@ -1,4 +1,4 @@
-"""End stops: which are closed at every speed, and at which speed one is met."""
+"""End stops: those closed at every speed, and the speed at which one is met."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ from rotordyn.preload.equilibrium import solve
 from rotordyn.preload.network import Network, NetworkState
 
 OVERRUN = 1e-13  # m
-PULL = 1e-10  # of the largest preload: a stop that pulls less than that stays closed
-SAMPLES = 5
-ROUNDS = 24
+PULL = 1e-10  # of the largest preload: a stop that pulls less stays closed
+SAMPLES = 5  # speeds of a bracket that are solved at once
+ROUNDS = 24  # narrowings of a bracket, at most
 CLOSE = 1e-5  # relative width of the bracket in Ω² within which the local cubic is exact
 CLOSER = 1e-4  # share of the bracket that is searched next around the zero of the cubic
-EPS = 1e-12
+EPS = 1e-12  # relative width of a bracket in Ω² that is not narrowed further
 
 
 def with_stops(network: Network, limit: Array, start: Array) -> NetworkState:
-    """Equilibrium with unilateral stops at ``limit`` (speeds or 1, bodies), NaN where there is
-    none, sought from ``start`` (speeds, bodies).
+    """Solve for the equilibrium with unilateral stops at ``limit`` (speeds or 1, bodies), NaN where
+    there is none, from ``start`` (speeds, bodies).
 
     Stops that would be overrun are closed and those that would have to pull are opened, until
     neither happens; a speed where that never ends is not ``converged``.
@@ -34,23 +34,23 @@ def with_stops(network: Network, limit: Array, start: Array) -> NetworkState:
     net = solve(network, start, held, limit)
     for _ in range(2 * limit.shape[1] + 2):
         force = network.forces(net.position, net.response)
-        wanted = stops_wanted(network, net.position, force, held, limit)
-        if (wanted == held).all():
+        updated = stops_wanted(network, net.position, force, held, limit)
+        if (updated == held).all():
             return net
-        held = wanted
+        held = updated
         net = solve(network, net.position, held, limit, net.response)
     force = network.forces(net.position, net.response)
-    settled = stops_wanted(network, net.position, force, held, limit) == held
-    return replace(net, converged=net.converged & settled.all(axis=1))
+    stable = stops_wanted(network, net.position, force, held, limit) == held
+    return replace(net, converged=net.converged & stable.all(axis=1))
 
 
 def stops_wanted(
     network: Network, position: Array, force: Array, held: Flags, limit: Array
 ) -> Flags:
-    """Bodies (speeds, bodies) that belong at their stops.
+    """Return the bodies (speeds, bodies) that must be at their stops.
 
-    Those that stand there and are pressed on, and those that have run past. ``force`` on the bodies
-    [N] without what the stops carry.
+    Those pressed against them, and those that have overrun them. ``force`` on the bodies [N]
+    without stop forces.
     """
     direction = network.arrangement.direction
     overrun = direction * (position - limit) < -OVERRUN
@@ -66,40 +66,41 @@ def meeting_speeds(
     between: Array,
     near: Array,
 ) -> Array:
-    """First speed within each of ``between`` (k, 2) at which the sleeve of ``push`` meets its stop.
+    """Return the first speed in each of ``between`` (k, 2) at which a sleeve meets its stop.
 
-    Several are sought together, (k,) [rad/s]. ``at`` gives the network at any speeds, and which of
-    the k they are for, ascending; ``limit`` (k, bodies) as of ``with_stops``. The sleeve's own stop
-    is taken away, all other stops acting. A speed that has no equilibrium without the stop counts
-    as overrun. ``near`` (k, 2, bodies): places at the two speeds, to start from.
+    All are sought together, (k,) [rad/s], for the sleeve of ``push``. ``at`` returns the network at
+    any speeds, given which of the k they are for, ascending; ``limit`` (k, bodies) as of
+    ``with_stops``. The sleeve's own stop is removed, all other stops act. A speed that has no
+    equilibrium without the stop counts as overrun. ``near`` (k, 2, bodies): positions at the two
+    speeds, as a start.
     """
     released = limit.copy()
     released[:, push.body] = np.nan
-    known = dict(enumerate(zip(between**2, near, strict=True)))
+    positions = dict(enumerate(zip(between**2, near, strict=True)))
     searches = {k: _search(*ends) for k, ends in enumerate(between**2)}
-    asked = {k: next(search) for k, search in searches.items()}
-    found = np.empty(len(between))
-    while asked:
-        start = np.concatenate([_between(x, *known[k]) for k, x in asked.items()])
-        squares, which = np.concatenate([*asked.values()]), np.repeat([*asked], SAMPLES)
+    pending = {k: next(search) for k, search in searches.items()}
+    speeds = np.empty(len(between))
+    while pending:
+        start = np.concatenate([_interpolated(x, *positions[k]) for k, x in pending.items()])
+        squares, which = np.concatenate([*pending.values()]), np.repeat([*pending], SAMPLES)
         net = with_stops(at(np.sqrt(squares), which), released[which], start)
         gap = push.direction * (net.position[:, push.body] - limit[which, push.body])
         gap = np.where(net.converged, gap, -np.inf)
-        for k, x in [*asked.items()]:
-            mine = which == k
-            if net.converged[mine].all():
-                known[k] = x, net.position[mine]
+        for k, x in [*pending.items()]:
+            rows = which == k
+            if net.converged[rows].all():
+                positions[k] = x, net.position[rows]
             try:
-                asked[k] = searches[k].send(gap[mine])
+                pending[k] = searches[k].send(gap[rows])
             except StopIteration as end:
-                found[k] = end.value
-                del asked[k]
-    return found
+                speeds[k] = end.value
+                del pending[k]
+    return speeds
 
 
 def _search(low: float, high: float) -> Generator[Array, Array, float]:
-    """Speed of the first zero of a gap between two speeds squared, which is asked for at
-    ``SAMPLES`` of them: the bracket is narrowed by local cubics over Ω²."""
+    """Yield squared speeds at which the gap is needed; return the speed of its first zero between
+    two squared speeds: the bracket of ``SAMPLES`` is narrowed by local cubics over Ω²."""
     guess = (low, high)
     for _ in range(ROUNDS):
         squares = np.linspace(*guess, SAMPLES)
@@ -121,6 +122,6 @@ def _search(low: float, high: float) -> Generator[Array, Array, float]:
     return math.sqrt(0.5 * (low + high))
 
 
-def _between(at: Array, places: Array, values: Array) -> Array:
-    """``values`` (places, columns) on straight lines between ascending ``places``."""
+def _interpolated(at: Array, places: Array, values: Array) -> Array:
+    """Interpolate ``values`` (places, columns) linearly between ascending ``places``."""
     return np.stack([np.interp(at, places, column) for column in values.T], axis=1)

@@ -1,5 +1,4 @@
-"""What a shaft that shortens with speed would do to the axial loads of a machine in which it does
-not."""
+"""Axial loads that shortening of the shaft with speed would add where it is not modelled."""
 
 from __future__ import annotations
 
@@ -14,10 +13,10 @@ from rotordyn.preload.state import PreloadState
 
 
 def shortening_load(state: PreloadState, row: int) -> Array:
-    """Axial load of every bearing in its own frame (seats,) [N] that computed shortening adds, of
-    first order.
+    """Return the axial load of every bearing in its own frame (seats,) [N] that computed shortening
+    adds, to first order.
 
-    Springs, bearings by their tangents, and supports answer the shift of the shaft at their
+    Springs, bearings by their tangents, and supports respond to the shift of the shaft at their
     stations; sleeves that are locked, at a stop or held by friction stay.
     """
     spindle, speed = state.spindle, state.speed[[row]]
@@ -25,16 +24,16 @@ def shortening_load(state: PreloadState, row: int) -> Array:
     computed = replace(spindle, shortening=ComputedShortening(seats[0].x))
     shift = seat_shifts(computed, speed)[0]
     stiffness = state.seat_stiffness()[row, :, 0, 0]
-    held = sum(support.along for support in spindle.supports)
-    springs = np.array([held, *(sleeve.spring.stiffness for sleeve in sleeves)])
+    support_stiffness = sum(support.along for support in spindle.supports)
+    springs = np.array([support_stiffness, *(sleeve.spring.stiffness for sleeve in sleeves)])
     free = np.isfinite(springs) & ~np.concatenate([[False], (state.stopped | state.stuck)[row]])
-    carried = np.zeros((len(seats), len(springs)))
+    on_sleeve = np.zeros((len(seats), len(springs)))
     for body, sleeve in enumerate(sleeves, start=1):
-        carried[:, body] = [seat.name in sleeve.bearings for seat in seats]
-    motion = (np.eye(len(springs))[0] - carried)[:, free]  # of the shaft, then of sleeves
-    whole = motion.T @ (stiffness[:, None] * motion) + np.diag(springs[free])
+        on_sleeve[:, body] = [seat.name in sleeve.bearings for seat in seats]
+    motion = (np.eye(len(springs))[0] - on_sleeve)[:, free]  # of the shaft, then of sleeves
+    matrix = motion.T @ (stiffness[:, None] * motion) + np.diag(springs[free])
     of_supports = np.zeros(len(springs))
-    of_supports[0] = held * support_shift(computed, speed, None)[0]
-    pull = -motion.T @ (stiffness * shift) - of_supports[free]
-    moved = np.linalg.lstsq(whole, pull, rcond=None)[0]
-    return np.array([seat.thrust for seat in seats]) * stiffness * (motion @ moved + shift)
+    of_supports[0] = support_stiffness * support_shift(computed, speed, None)[0]
+    force = -motion.T @ (stiffness * shift) - of_supports[free]
+    displacement = np.linalg.lstsq(matrix, force, rcond=None)[0]
+    return np.array([seat.thrust for seat in seats]) * stiffness * (motion @ displacement + shift)

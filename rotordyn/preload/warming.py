@@ -1,11 +1,11 @@
-"""Temperatures of all bearings of a spindle over time from its start, with the preload meanwhile.
+"""Transient temperatures of all bearings of a spindle after its start, with the preload.
 
 Every bearing has the three nodes of its heat balance, each with a heat capacity C: C Ṫ = heat of
-the state at T + what the surroundings give − G T. Instants lie closer together at the start. At
-each one preload state gives the heat of the contacts, which goes on from there along a straight
-line; with it, and with the oil that thins, temperatures are integrated to the next instant by a
-Rosenbrock method of second order, which quick balls do not limit (J. G. Verwer et al., SIAM J. Sci.
-Comput. 20 (1999) 1456: ROS2).
+the state at T + heat from the surroundings − G T. Instants lie closer together at the start. At
+each one preload state gives the heat of the contacts, which is extrapolated linearly; with it, and
+with the oil that thins, temperatures are integrated to the next instant by a Rosenbrock method of
+second order, whose step fast balls do not limit (J. G. Verwer et al., SIAM J. Sci. Comput. 20
+(1999) 1456: ROS2).
 
 Theory: docs/theory/life.md.
 """
@@ -26,14 +26,14 @@ if TYPE_CHECKING:
     from rotordyn.machine.spindle import Spindle
 
 PARTS = 16  # steps of temperatures between two instants
-GAMMA = 1.0 + math.sqrt(0.5)  # of ROS2: what decays neither grows nor swings, however long the step
-NUDGE = 0.02  # K: for the slope of the heat of the oil
+GAMMA = 1.0 + math.sqrt(0.5)  # of ROS2, L-stable: no growth or oscillation at long steps
+NUDGE = 0.02  # K: difference for the slope of the heat of the oil
 
 
 class Warming(NamedTuple):
-    """Over ``time`` (t,) [s]: ``temperature`` (speeds, t, bearings, 3) of balls, inner and outer
-    ring [°C], ``heat`` (speeds, t, bearings) [W], axial ``load`` (speeds, t, bearings) [N]; NaN
-    after the instant ``last`` (speeds,), and per speed the ``ending``: empty, or why it ends."""
+    """Transient over ``time`` (t,) [s]: ``temperature`` (speeds, t, bearings, 3) of balls, inner
+    and outer ring [°C], ``heat`` (speeds, t, bearings) [W], axial ``load`` (speeds, t, bearings)
+    [N]; NaN after the instant ``last`` (speeds,); ``ending`` per speed: empty, or why it ends."""
 
     time: Array
     temperature: Array
@@ -47,7 +47,7 @@ SurroundingsAt = Callable[[float], Surroundings]  # of a time from the start [s]
 
 
 class Begin(NamedTuple):
-    """``temperature`` [°C] and ``capacity`` [J/K] of balls, inner and outer ring at the start, each
+    """Initial ``temperature`` [°C] and heat ``capacity`` [J/K] of balls, inner and outer ring, each
     (bearings, 3)."""
 
     temperature: Array
@@ -65,29 +65,29 @@ def warming(
     steps: int,
     watch: Callable[[int], None],
 ) -> Warming:
-    """At every ``speed`` [rad/s], turning at it from the start on for a ``duration`` [s].
+    """Integrate temperatures over a ``duration`` [s] from the start, at every ``speed`` [rad/s].
 
-    ``solve`` gives the preload state at temperatures; ``surroundings_at``: those over time, of
+    ``solve`` returns the preload state at temperatures; ``surroundings_at``: those over time, of
     which the ``flow`` has the end; ``watch`` is called before every step.
     """
     names = tuple(seat.name for seat in spindle.seats)
     pitches = np.array([seat.bearing.pitch_diameter for seat in spindle.seats])
     time = duration * np.linspace(0.0, 1.0, steps + 1) ** 3
     oiled = _Oiled(pitches, speed, flow, begin.capacity, surroundings_at)
-    here = np.broadcast_to(begin.temperature, (len(speed), *begin.temperature.shape)).copy()
+    current = np.broadcast_to(begin.temperature, (len(speed), *begin.temperature.shape)).copy()
     shape = len(speed), steps + 1, len(names)
     temperature = np.full((*shape, 3), np.nan)
     heat, load = np.full((2, *shape), np.nan)
-    words, last = np.full(len(speed), "", dtype=object), np.full(len(speed), steps)
-    active, before = np.ones(len(speed), dtype=bool), np.zeros((*here.shape[:2], 2))
+    endings, last = np.full(len(speed), "", dtype=object), np.full(len(speed), steps)
+    active, last_contacts = np.ones(len(speed), dtype=bool), np.zeros((*current.shape[:2], 2))
 
     def end(rows: Flags, k: int) -> None:
-        """Where there is no state, or one too hot, at the instant k."""
+        """End the transient where there is no state, or one too hot, at the instant k."""
         for row in np.flatnonzero(active & rows):
-            hottest = here[row].max()
+            hottest = current[row].max()
             when = f"{time[k] / 60.0:.3g} min after the start" if k else "at the start"
-            words[row] = (
-                run_away(here[row], names)
+            endings[row] = (
+                run_away(current[row], names)
                 if hottest > HOTTEST
                 else f"no axial state {when}, at temperatures up to {hottest:.0f} °C: raise the "
                 "preload, or cool more"
@@ -98,24 +98,24 @@ def warming(
     for k in range(steps + 1):
         watch(k)
         now = flow._replace(surroundings=surroundings_at(float(time[k])))
-        state = solve(tables(np.minimum(here, HOTTEST), speed, names, now))  # hotter ones end
-        contacts, known = contact_heat(state, flow)
-        end(~known | (here.max(axis=(1, 2)) > HOTTEST), k)
+        state = solve(tables(np.minimum(current, HOTTEST), speed, names, now))  # hotter ones end
+        contacts, usable = contact_heat(state, flow)
+        end(~usable | (current.max(axis=(1, 2)) > HOTTEST), k)
         if not active.any():
             break
-        temperature[active, k], load[active, k] = here[active], state.seat_load()[active]
-        heat[active, k] = oiled.heat(contacts, here).sum(axis=-1)[active]
+        temperature[active, k], load[active, k] = current[active], state.seat_load()[active]
+        heat[active, k] = oiled.heat(contacts, current).sum(axis=-1)[active]
         if k == steps:
             break
-        slope = (contacts - before) / (time[k] - time[k - 1]) if k else 0.0 * contacts
-        ahead = oiled.onward(here, contacts, slope, (float(time[k]), float(time[k + 1])))
-        here, before = np.where(active[:, None, None], ahead, here), contacts
-    return Warming(time, temperature, heat, load, last, tuple(words))
+        slope = (contacts - last_contacts) / (time[k] - time[k - 1]) if k else 0.0 * contacts
+        advanced = oiled.onward(current, contacts, slope, (float(time[k]), float(time[k + 1])))
+        current, last_contacts = np.where(active[:, None, None], advanced, current), contacts
+    return Warming(time, temperature, heat, load, last, tuple(endings))
 
 
 class _Oiled(NamedTuple):
-    """Bearings of ``pitches`` (bearings,) [m] at every ``speed``, oiled and cooled by a ``flow``
-    to surroundings over time, with ``capacity`` (bearings, 3) [J/K]."""
+    """Bearings of ``pitches`` (bearings,) [m] at every ``speed``, lubricated and cooled by a
+    ``flow`` to surroundings over time, with ``capacity`` (bearings, 3) [J/K]."""
 
     pitches: Array
     speed: Array
@@ -124,37 +124,37 @@ class _Oiled(NamedTuple):
     surroundings_at: SurroundingsAt
 
     def heat(self, contacts: Array, at: Array) -> Array:
-        """Of inner contacts, outer contacts and oil (speeds, bearings, 3) [W]."""
+        """Return the heat of inner contacts, outer contacts and oil (speeds, bearings, 3) [W]."""
         return with_oil(contacts, at, self.pitches, self.speed, self.flow)
 
     def onward(
         self, at: Array, contacts: Array, slope: Array, between: tuple[float, float]
     ) -> Array:
-        """Temperatures (speeds, bearings, 3) from ``at`` on, ``between`` two times [s], the heat of
-        the ``contacts`` (speeds, bearings, 2) changing by ``slope`` [W/s]."""
+        """Integrate temperatures ``at`` (speeds, bearings, 3) ``between`` two times [s], while the
+        heat of the ``contacts`` (speeds, bearings, 2) changes by ``slope`` [W/s]."""
         times, h = np.linspace(*between, PARTS + 1), (between[1] - between[0]) / PARTS
         conductances = self.flow.conductances
-        given = [network(conductances, self.surroundings_at(t))[1] for t in times.tolist()]
+        ambient = [network(conductances, self.surroundings_at(t))[1] for t in times.tolist()]
         matrix, _ = network(conductances, self.flow.surroundings)
         cooling = matrix / self.capacity[:, :, None]
         change = sources(np.concatenate([slope, 0.0 * slope[..., :1]], axis=-1))
 
-        def rate(part: int, here: Array) -> Array:
-            power = sources(self.heat(contacts + part * h * slope, here)) + given[part]
-            return power / self.capacity - np.einsum("bij,sbj->sbi", cooling, here)
+        def rate(part: int, temperature: Array) -> Array:
+            power = sources(self.heat(contacts + part * h * slope, temperature)) + ambient[part]
+            return power / self.capacity - np.einsum("bij,sbj->sbi", cooling, temperature)
 
-        def oil(here: Array) -> Array:
-            return self.heat(contacts, here)[..., 2]
+        def oil(temperature: Array) -> Array:
+            return self.heat(contacts, temperature)[..., 2]
 
         for part in range(PARTS):
             warmer = (oil(at + NUDGE) - oil(at)) / NUDGE
             jacobian = np.broadcast_to(-cooling, (*at.shape, 3)).copy()
             jacobian[..., 0, 0] += warmer / self.capacity[:, 0]
-            left = np.eye(3) - GAMMA * h * jacobian
-            drift = (change * h + given[part + 1] - given[part]) / self.capacity
-            one = _solved(left, rate(part, at) + GAMMA * drift)
-            two = _solved(left, rate(part + 1, at + h * one) - 2.0 * one - GAMMA * drift)
-            at = at + h * (1.5 * one + 0.5 * two)
+            operator = np.eye(3) - GAMMA * h * jacobian
+            drift = (change * h + ambient[part + 1] - ambient[part]) / self.capacity
+            k1 = _solved(operator, rate(part, at) + GAMMA * drift)
+            k2 = _solved(operator, rate(part + 1, at + h * k1) - 2.0 * k1 - GAMMA * drift)
+            at = at + h * (1.5 * k1 + 0.5 * k2)
         return at
 
 

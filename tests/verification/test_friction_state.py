@@ -27,7 +27,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import BearingTemperatures, Temperatures
 from rotordyn.preload import axial_tables as axial_tables_module
 from rotordyn.preload.arrangement import arrangement
-from rotordyn.preload.axial_tables import _Asked, axial_tables, solved
+from rotordyn.preload.axial_tables import _Request, axial_tables, solved
 from rotordyn.preload.friction import Rubbing, operating_state
 from rotordyn.preload.history import Moment, history, moments, most_moments
 from rotordyn.preload.state import PreloadState
@@ -374,7 +374,7 @@ def test_histories_that_make_no_sense(words: str, build: Any) -> None:
 def test_the_table_of_a_bearing_for_both_ways_is_odd(d: float) -> None:
     """And is its law, to 0.1 mN where there is next to no load."""
     model = deep_groove(drawn_6210(0.0))
-    law = solved([_Asked(model, LAW, (0.0, 0.0), 0.0, 50e-6)])[0].law
+    law = solved([_Request(model, LAW, (0.0, 0.0), 0.0, 50e-6)])[0].law
     exact = float(model.equilibrium(displacement=[d, 0, 0, 0, 0]).load[0])
     assert law(d)[0] == pytest.approx(exact, rel=2e-3, abs=1e-4)
     assert law(-d)[0] == pytest.approx(-law(d)[0], rel=1e-9)
@@ -382,7 +382,7 @@ def test_the_table_of_a_bearing_for_both_ways_is_odd(d: float) -> None:
 
 
 def test_a_table_for_both_ways_goes_on_beyond_both_ends() -> None:
-    law = solved([_Asked(deep_groove(drawn_6210(0.0)), LAW, (0.0, 0.0), 0.0, 50e-6)])[0].law
+    law = solved([_Request(deep_groove(drawn_6210(0.0)), LAW, (0.0, 0.0), 0.0, 50e-6)])[0].law
     for d in (60e-6, 500e-6):
         assert law(-d)[0] == pytest.approx(-law(d)[0], rel=1e-6)
 
@@ -391,7 +391,7 @@ def test_a_table_for_both_ways_goes_on_beyond_both_ends() -> None:
 def test_no_points_of_a_table_nearly_coincide(growth: float) -> None:
     """Rounding of the loads of such a pair would make its slope between."""
     model = AngularContactBallBearing(8e-3, 60e-3, 16, contact_angle=math.radians(18))
-    law = solved([_Asked(model, LAW, (growth, growth), 0.0, 50e-6)])[0].law
+    law = solved([_Request(model, LAW, (growth, growth), 0.0, 50e-6)])[0].law
     slope = np.array([law(d)[1] for d in law.knots])
     between = np.array([law((a + b) / 2.0)[1] for a, b in pairwise(law.knots)])
     assert between == pytest.approx((slope[1:] + slope[:-1]) / 2.0, abs=0.02 * slope.max())
@@ -400,7 +400,7 @@ def test_no_points_of_a_table_nearly_coincide(growth: float) -> None:
 def test_tables_solved_together_are_those_of_each(monkeypatch: pytest.MonkeyPatch) -> None:
     """More of them than are kept, and than one batch holds."""
     model = AngularContactBallBearing(8e-3, 60e-3, 16, contact_angle=math.radians(18))
-    asked = [_Asked(model, LAW, (0.0, 1e-7 * k), 150.0 * k, 4e-5 + 1e-6 * k) for k in range(10)]
+    asked = [_Request(model, LAW, (0.0, 1e-7 * k), 150.0 * k, 4e-5 + 1e-6 * k) for k in range(10)]
     monkeypatch.setattr(axial_tables_module, "TABLES", 4)
     monkeypatch.setattr(axial_tables_module, "_kept", {})
     together = solved(asked)
@@ -461,4 +461,4 @@ def test_a_bearing_without_any_state_is_named() -> None:
     """So fast that its balls stay away from the inner ring wherever it is pressed."""
     model = AngularContactBallBearing(8e-3, 60e-3, 16, contact_angle=math.radians(18))
     with pytest.raises(NoSolution, match=r"no axial state at any deflection; lower the speed"):
-        solved([_Asked(model, LAW, (0.0, 0.0), 4e5, 1e-9)])
+        solved([_Request(model, LAW, (0.0, 0.0), 4e5, 1e-9)])

@@ -15,7 +15,7 @@ from rotordyn.arrays import Array, Indices
 
 
 def bubbles(last: int, xi: Array) -> tuple[Array, Array, Array]:
-    """∫ψ_k dξ from −1, ψ_k, and dψ_k/dξ for k = 2 … ``last`` at ``xi``, each (…, last − 1).
+    """Return ∫ψ_k dξ from −1, ψ_k, and dψ_k/dξ for k = 2 … ``last`` at ``xi``, each (…, last − 1).
 
     The integral of ψ_k vanishes at ξ = 1, too, for k ≥ 3.
     """
@@ -24,7 +24,7 @@ def bubbles(last: int, xi: Array) -> tuple[Array, Array, Array]:
 
 @lru_cache(maxsize=256)
 def _bubbles(last: int, shape: tuple[int, ...], places: bytes) -> tuple[Array, Array, Array]:
-    """Read only: the same few places come again and again."""
+    """Return read-only arrays, cached: the same few places recur."""
     xi, k = np.frombuffer(places).reshape(shape), np.arange(2, last + 1)
     p = np.asarray(legendre.legvander(xi, last + 1), dtype=np.float64)
     scale = np.sqrt(2.0 * (2.0 * k - 1.0))
@@ -37,14 +37,14 @@ def _bubbles(last: int, shape: tuple[int, ...], places: bytes) -> tuple[Array, A
 
 
 def _integral(p: Array, degree: Indices) -> Array:
-    """∫ P_k dξ from −1."""
-    before = np.where(degree == 0, -p[..., :1], p[..., np.abs(degree - 1)])
-    return np.asarray((p[..., degree + 1] - before) / (2.0 * degree + 1.0))
+    """Return ∫ P_k dξ from −1."""
+    lower = np.where(degree == 0, -p[..., :1], p[..., np.abs(degree - 1)])
+    return np.asarray((p[..., degree + 1] - lower) / (2.0 * degree + 1.0))
 
 
 @lru_cache(maxsize=64)
 def points(degree: int) -> tuple[Array, Array]:
-    """Gauss points on [−1, 1] and weights, exact for polynomials up to ``degree``; read only."""
+    """Return Gauss points on [−1, 1] and weights, exact up to ``degree``; read only."""
     rule = legendre.leggauss(degree // 2 + 1)
     for array in rule:
         array.flags.writeable = False

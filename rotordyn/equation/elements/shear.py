@@ -13,23 +13,23 @@ from rotordyn.errors import InvalidInput
 
 
 def cowper(poisson_ratio: ArrayLike, diameter_ratio: ArrayLike) -> Array:
-    """Cowper (1966), J. Appl. Mech. 33, 335; ``diameter_ratio`` = inner / outer [1]."""
+    """Return κ by Cowper (1966), J. Appl. Mech. 33, 335; ``diameter_ratio`` = inner / outer [1]."""
     nu, square = np.asarray(poisson_ratio), np.square(diameter_ratio)
     plus = (1.0 + square) ** 2
     return 6.0 * (1.0 + nu) * plus / ((7.0 + 6.0 * nu) * plus + (20.0 + 12.0 * nu) * square)
 
 
 def hutchinson(poisson_ratio: ArrayLike, diameter_ratio: ArrayLike) -> Array:
-    """Hutchinson (2001), J. Appl. Mech. 68, 87; ``diameter_ratio`` = inner / outer [1]."""
+    """Return κ by Hutchinson (2001), J. Appl. Mech. 68, 87; ``diameter_ratio`` = inner / outer."""
     nu, square = np.asarray(poisson_ratio), np.square(diameter_ratio)
     plus, fourth = (1.0 + square) ** 2, 1.0 + square**2
-    below = (
+    denominator = (
         7.0 * fourth
         + 34.0 * square
         + nu * (12.0 * fourth + 48.0 * square)
         + nu**2 * (4.0 * fourth + 16.0 * square)
     )
-    return 6.0 * (1.0 + nu) ** 2 * plus / below
+    return 6.0 * (1.0 + nu) ** 2 * plus / denominator
 
 
 RIGID = "none"  # no deformation in shear: Euler and Bernoulli's beam
@@ -39,7 +39,7 @@ FORMULAS = {"cowper": cowper, "hutchinson": hutchinson}
 def shear_coefficient(
     choice: str | float, poisson_ratio: ArrayLike, diameter_ratio: ArrayLike
 ) -> Array:
-    """κ by the name of a formula, or the number itself; infinite for ``"none"``.
+    """Return κ by the name of a formula, or the number itself; infinite for ``"none"``.
 
     Raises
     ------
@@ -50,9 +50,9 @@ def shear_coefficient(
         return np.full(shape, math.inf)
     if isinstance(choice, str):
         if choice not in FORMULAS:
-            known = ", ".join([*FORMULAS, RIGID])
+            choices = ", ".join([*FORMULAS, RIGID])
             raise InvalidInput(
-                f"unknown shear coefficient {shown(choice)}: one of {known}, or a number"
+                f"unknown shear coefficient {shown(choice)}: one of {choices}, or a number"
             )
         return FORMULAS[choice](poisson_ratio, diameter_ratio)
     if not (math.isfinite(choice) and choice > 0.0):
