@@ -1,4 +1,4 @@
-"""Motion of points and loads of bearings over time, and the orbits of points."""
+"""Figures of the motion of points and loads of bearings over time, and of orbits."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 SPEEDS, POINTS, BEARINGS = 3, 5, 7
-ROUNDING = 1e-9  # of the largest: loads and ways so small are rounding
+ROUNDING = 1e-9  # of the largest load: smaller ones are rounding
 LINEAR: Any = {"color": GREY, "lw": 0.8, "zorder": 1.5}
 ROW, SIDE = 46.0, 50.0  # [mm]
 
 
 def motion_figure(result: TimeResponseResult) -> Figure:
-    """Displacement of the first points over time, in a column for each of some speeds; grey, what
-    it would be if bearings were linear."""
+    """Draw displacement of the first points over time, in a column for each of some speeds; in
+    grey, with linear bearings."""
     picked, points = _picked(result), result.point[:POINTS]
     figure = new_figure(168.0, ROW * len(points) + 22.0)
     panels = _panels(figure, len(points), picked.size)
@@ -55,8 +55,8 @@ def motion_figure(result: TimeResponseResult) -> Figure:
 
 
 def bearing_figure(result: TimeResponseResult) -> Figure:
-    """Radial and axial load of the bearings over time, of many those with the largest loads, in a
-    column for each of some speeds."""
+    """Draw radial and axial load of the bearings over time, at most ``BEARINGS`` with the largest
+    loads, in a column for each of some speeds."""
     picked = _picked(result)
     chosen = np.sort(np.argsort(-result.peak_load[picked].max(axis=0))[:BEARINGS])
     load = result.bearing_load[picked][:, :, chosen]
@@ -80,8 +80,8 @@ def bearing_figure(result: TimeResponseResult) -> Figure:
 
 
 def stop_figure(result: TimeResponseResult) -> Figure:
-    """Gaps of end stops over time, in a column for each of some speeds; below zero a stop is
-    pressed together."""
+    """Draw gaps of end stops over time, in a column for each of some speeds; below zero a stop is
+    compressed."""
     picked = _picked(result)
     figure = new_figure(168.0, ROW + 22.0)
     panels = _panels(figure, 1, picked.size)
@@ -98,7 +98,7 @@ def stop_figure(result: TimeResponseResult) -> Figure:
 
 
 def orbit_figure(result: TimeResponseResult) -> Figure:
-    """Path of the first points across the axis, seen from +x, in a column for each of some
+    """Draw the path of the first points across the axis, seen from +x, in a column for each of some
     speeds."""
     picked, points = _picked(result), result.point[:POINTS]
     figure = new_figure(168.0, SIDE * len(points) + 18.0)
@@ -118,9 +118,9 @@ def orbit_figure(result: TimeResponseResult) -> Figure:
 
 
 def _picked(result: TimeResponseResult) -> Indices:
-    """First, middle and last of the speeds with an answer over some time."""
-    known = np.flatnonzero(result.ended > 0.0)
-    return known[evenly(known.size, SPEEDS)]
+    """Return first, middle and last of the speeds with a motion over some time."""
+    usable = np.flatnonzero(result.ended > 0.0)
+    return usable[evenly(usable.size, SPEEDS)]
 
 
 def _panels(figure: Figure, rows: int, columns: int, gap: float = 8.0) -> list[Axes]:
@@ -129,7 +129,7 @@ def _panels(figure: Figure, rows: int, columns: int, gap: float = 8.0) -> list[A
 
 
 def _name(axes: Axes, result: TimeResponseResult, row: int, *, first: bool, last: bool) -> None:
-    """The speed above the first panel of a column, time below the last."""
+    """Write the speed above the first panel of a column, the time axis below the last."""
     if first:
         axes.set_title(f"{result.speed[row] * RPM.factor:.0f} rpm", fontsize=FONT_SIZE, pad=4.0)
     if last:
