@@ -1,4 +1,4 @@
-"""Figure that notebooks show without pyplot."""
+"""Figure that notebooks show, with or without pyplot."""
 
 from __future__ import annotations
 

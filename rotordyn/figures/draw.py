@@ -92,7 +92,7 @@ class Drawing:
         os.close(fill)
         count = min(workers, _processors(), len(self._jobs)) - 1 if _may_fork() else 0
         load(self._formats)
-        self._workers = [self._start() for _ in range(max(count, 0))]
+        self._workers = [self._fork() for _ in range(max(count, 0))]
 
     def __enter__(self) -> Drawing:
         return self
@@ -108,7 +108,7 @@ class Drawing:
 
     def finish(self) -> dict[str, float]:
         """Draw figures not yet begun, wait for the others; return seconds by figure, in order."""
-        seconds = self._work()
+        seconds = self._draw_queued()
         self._queue.close()
         while self._workers:
             process, report = self._workers[0]
@@ -121,7 +121,7 @@ class Drawing:
                 seconds[name] = draw_one(name, draw, self._folder, self._formats)
         return {name: seconds[name] for name, _ in self._jobs}
 
-    def _work(self, report: int | None = None) -> dict[str, float]:
+    def _draw_queued(self, report: int | None = None) -> dict[str, float]:
         seconds = {}
         while taken := self._queue.read(1):
             if self._owner not in (os.getpid(), os.getppid()):
@@ -132,7 +132,7 @@ class Drawing:
                 os.write(report, (json.dumps([name, seconds[name]]) + "\n").encode())
         return seconds
 
-    def _start(self) -> tuple[int, BinaryIO]:
+    def _fork(self) -> tuple[int, BinaryIO]:
         """Fork a worker; return its process and the pipe of its reports."""
         out, report = os.pipe()
         with warnings.catch_warnings():
@@ -144,7 +144,7 @@ class Drawing:
         status = 1
         try:
             os.close(out)
-            self._work(report)
+            self._draw_queued(report)
             status = 0
         finally:
             os._exit(status)
@@ -170,14 +170,14 @@ def draw_one(
 ) -> float:
     """Draw and save one figure; return the seconds it took."""
     start = time.perf_counter()
-    with own_settings(), warnings.catch_warnings(), _freed():
+    with own_settings(), warnings.catch_warnings(), _collected():
         warnings.filterwarnings("ignore", "Glyph")  # a title may hold letters that fonts lack, or $
         save(draw(), folder, name, formats)
     return time.perf_counter() - start
 
 
 @contextmanager
-def _freed() -> Iterator[None]:
+def _collected() -> Iterator[None]:
     """Collect objects made inside at the end: a figure has many reference cycles and its pixels.
 
     Older objects are frozen meanwhile, so that the collector skips them. Nothing is done if a
@@ -202,7 +202,7 @@ def load(formats: Sequence[str] = USUAL_FORMATS) -> None:
     user, which are not used, are suppressed.
     """
     first = "matplotlib" not in sys.modules
-    with _without("MPLBACKEND") as backend, _quiet("matplotlib"):
+    with _without("MPLBACKEND") as backend, _silenced("matplotlib"):
         backends = [f"backends.backend_{ending}" for ending in formats if ending != "png"]
         for name in ("figure", "backends.backend_agg", "collections", *backends):
             import_module(f"matplotlib.{name}")
@@ -222,7 +222,7 @@ def _without(variable: str) -> Iterator[str | None]:
 
 
 @contextmanager
-def _quiet(name: str) -> Iterator[None]:
+def _silenced(name: str) -> Iterator[None]:
     logger = logging.getLogger(name)
     level = logger.level
     logger.setLevel(logging.ERROR)

@@ -71,9 +71,9 @@ def draw_holders(sketch: Sketch, spindle: Spindle) -> None:
     for support in spindle.supports:
         x = support.x * 1e3
         if support.against != GROUND:
-            _between(sketch, spindle, support)
+            _link(sketch, spindle, support)
             continue
-        radius, ground = _outside(spindle, support), _ground(spindle, support)
+        radius, ground = _shaft_radius(spindle, support), _ground(spindle, support)
         if support.rigid:
             left, right = (x - 4.0 * unit, ground), (x + 4.0 * unit, ground)
             sketch.polygon([(x, -radius), left, right], "#FFFFFF", edge=BLUE)
@@ -139,7 +139,7 @@ def _thickest(spindle: Spindle, left: float, right: float) -> float:
     return max(radii, default=0.0) * 500.0
 
 
-def _outside(spindle: Spindle, support: LinearSupport) -> float:
+def _shaft_radius(spindle: Spindle, support: LinearSupport) -> float:
     """Return the radius of the shaft that a support holds [mm]."""
     shaft = spindle.part(support.holds).shaft
     return shaft.diameters_at(support.x)[0] * 500.0
@@ -152,10 +152,10 @@ def _ground(spindle: Spindle, support: LinearSupport) -> float:
         for part in spindle.parts.values()
         if part.shaft.start <= support.x <= part.shaft.end
     ]
-    return -max(_outside(spindle, support), *radii, 0.0) - foot(spindle)
+    return -max(_shaft_radius(spindle, support), *radii, 0.0) - foot(spindle)
 
 
-def _between(sketch: Sketch, spindle: Spindle, support: LinearSupport) -> None:
+def _link(sketch: Sketch, spindle: Spindle, support: LinearSupport) -> None:
     """Draw a crossed box between two rotors, in the gap from the thinner to the thicker one."""
     low, high = gap(spindle, support)
     half, x = 0.5 * max(high - low, 5.0), support.x * 1e3

@@ -48,7 +48,7 @@ SEEN = 3e-3  # of the largest change of a number: smaller changes have no bar
 
 def rules_figure(held: Interval) -> Figure:
     """Draw tornado diagrams: change of the numbers that vary most, by source, largest on top."""
-    chosen = _several(held, held.varying())
+    chosen = _chosen(held, held.varying())
     if not chosen:
         return new_figure(168.0, 30.0, "nothing that is uncertain changes a number")
     rows = math.ceil(len(chosen) / 2)
@@ -61,7 +61,7 @@ def rules_figure(held: Interval) -> Figure:
     return figure
 
 
-def _several(held: Interval, order: Sequence[int]) -> list[int]:
+def _chosen(held: Interval, order: Sequence[int]) -> list[int]:
     """Return the numbers to draw, in order: the widest one of every analysis, then others.
 
     Of numbers with the same behaviour, such as both whirls of a mode, only one is drawn.
@@ -103,7 +103,7 @@ def _tornado(axes: Axes, held: Interval, k: int) -> None:
 
 
 def slopes_figure(held: Interval) -> Figure:
-    """Draw a colour map of the relative change of every result by that of a number of the case."""
+    """Draw a colour map of the relative change of every result over that of an input."""
     values = np.nan_to_num(held.elasticity)
     rows = np.flatnonzero(np.abs(values).max(axis=1) > NARROW)
     if not rows.size:

@@ -93,9 +93,9 @@ def machine_figure(spindle: Spindle, loads: Sequence[PointLoad] = ()) -> Figure:
     for seat in spindle.seats:
         radius = spindle.shaft.diameters_at(seat.x)[0] / 2.0
         draw_bearing(sketch, seat, bearing_width(seat, spindle.seats), radius)
-    _hold(sketch, axes, spindle, reach + 3.0 / scale, (left, right), scale)
+    _draw_above(sketch, axes, spindle, reach + 3.0 / scale, (left, right), scale)
     draw_holders(sketch, spindle)
-    _name_below(sketch, axes, marks, reach, scale, (left, right))
+    _draw_marks(sketch, axes, marks, reach, scale, (left, right))
     sketch.draw(axes)
     _legend(figure, axes, rows)
     return figure
@@ -162,7 +162,7 @@ def _draw_discs(sketch: Sketch, spindle: Spindle, shades: dict[str, str], rank: 
         sketch.box(a, b, -outer, -inner, "#ECEFF1", z=OUTSIDE + 1 + 2 * rank)
 
 
-def _hold(
+def _draw_above(
     sketch: Sketch,
     axes: Axes,
     spindle: Spindle,
@@ -177,7 +177,7 @@ def _hold(
             draw_ground(sketch, seat.x * 1e3, outside_of(seat), half, upright=False, side=1.0)
     named = [(seat.x * 1e3, seat.name) for seat in spindle.seats]
     _labels_in_a_row(axes, named, lane, limits, scale, weight="bold")
-    texts = [(_hold_sleeve(sketch, spindle, s), _sleeve_words(s)) for s in spindle.sleeves]
+    texts = [(_sleeve_over(sketch, spindle, s), _sleeve_words(s)) for s in spindle.sleeves]
     for name, (a, b, _) in housings_above(spindle).items():
         texts.append(((a + b) / 2.0, _housing_words(spindle, name)))
     for r in spindle.rotors:
@@ -195,13 +195,13 @@ def _labels_in_a_row(
     **look: Any,
 ) -> None:
     """Draw labels above ``y``, each at its position or next to it."""
-    sizes = [_text(text, FONT_SIZE, scale, APART) for _, text in labels]
+    sizes = [_width(text, FONT_SIZE, scale, APART) for _, text in labels]
     places = spread([x for x, _ in labels], sizes, *limits)
     for x, (_, text) in zip(places, labels, strict=True):
         axes.text(x, y, text, ha="center", va="bottom", fontsize=FONT_SIZE, **look)
 
 
-def _hold_sleeve(sketch: Sketch, spindle: Spindle, sleeve: Sleeve) -> float:
+def _sleeve_over(sketch: Sketch, spindle: Spindle, sleeve: Sleeve) -> float:
     """Draw the sleeve over its bearings; return the middle of these [mm]."""
     seats = [s for s in spindle.seats if s.name in sleeve.bearings]
     widths = [bearing_width(s, spindle.seats) / 2 for s in seats]
@@ -233,7 +233,7 @@ def _housing_words(spindle: Spindle, name: str) -> str:
     return f"{name}: housing, {weight}"
 
 
-def _name_below(
+def _draw_marks(
     sketch: Sketch,
     axes: Axes,
     marks: Sequence[Mark],
@@ -243,7 +243,7 @@ def _name_below(
 ) -> None:
     """Draw labels of masses, supports, points and others under the shaft, joined by leaders."""
     size = FONT_SIZE - 1.5
-    sizes = [max(_text(line, size, scale) for line in text.split("\n")) for _, _, text in marks]
+    sizes = [max(_width(line, size, scale) for line in text.split("\n")) for _, _, text in marks]
     places = spread([x for x, _, _ in marks], sizes, *limits)
     upper, lower = -reach - 2.0 / scale, -reach - 8.5 / scale
     for at, (x, y, text) in zip(places, marks, strict=True):
@@ -319,14 +319,14 @@ def _mass_symbol(sketch: Sketch, mass: PointMass, height: float, size: float) ->
         sketch.polygon([(x, height), *arc], BLACK, edge=BLACK, width=0.3, z=7)
 
 
-def _text(words: str, size: float, scale: float, apart: float = 2.5) -> float:
+def _width(words: str, size: float, scale: float, apart: float = 2.5) -> float:
     """Return the width of a line of text in axis units [mm of machine], with the distance
     ``apart`` from the next [mm of paper]."""
     return (text_width(words, size) + apart) / scale
 
 
 def _legend_rows(spindle: Spindle, loads: Sequence[PointLoad]) -> list[list[Any]]:
-    """Return legend entries of several materials, and of symbols drawn, in rows that fit."""
+    """Return legend entries of materials, if several, and of symbols drawn, in rows that fit."""
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
 

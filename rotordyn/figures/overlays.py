@@ -114,7 +114,7 @@ def overlay_figure(
         label = curve.along if strip or is_lowest else ""
         axes = add_axes(figure, above, "" if strip else label, _ordinate(curve, several=several))
         if place == 0:
-            _name(axes, groups, variants, looks)
+            _entries(axes, groups, variants, looks)
         lines = _draw(axes, group, looks)
         _draw_known(axes, group, variants, looks)
         _finish(axes, curve, above[2], labelled=bool(label) and not strip, top=place < columns)
@@ -132,7 +132,7 @@ def overlay_figure(
                 name_ends(beneath, _ends(group.changes, looks), below[3])
     if not looks.named:
         order = Scale("variant, in the order of the case", range(1, len(variants) + 1))
-        _bar(figure, scale or order, boxes)
+        _colour_bar(figure, scale or order, boxes)
     top_legend(figure, *figure.axes, above=_names_height(groups[0].first, boxes[0][0][2]))
     return figure
 
@@ -311,7 +311,7 @@ def _note(axes: Axes, words: str) -> None:
     )
 
 
-def _name(axes: Axes, groups: Sequence[Group], variants: Sequence[Shown], looks: Looks) -> None:
+def _entries(axes: Axes, groups: Sequence[Group], variants: Sequence[Shown], looks: Looks) -> None:
     """Add an entry of the legend for every variant, unless they are many, and every series."""
     layers = [layer for group in groups for layer in group.layers]
     solved = {k for k, c in layers if (np.isfinite(c.y) | (c.y > c.ceiling)).any()}
@@ -328,7 +328,7 @@ def _name(axes: Axes, groups: Sequence[Group], variants: Sequence[Shown], looks:
         axes.plot([], [], color=BLACK, lw=1.2, ls=looks.dash(series), label=series)
 
 
-def _bar(figure: Figure, scale: Scale, boxes: Sequence[tuple[Box, Box]]) -> None:
+def _colour_bar(figure: Figure, scale: Scale, boxes: Sequence[tuple[Box, Box]]) -> None:
     """Draw the colour bar of the values, at the right of all panels."""
     tops = [above[1] + above[3] for above, _ in boxes]
     box = (168.0 - BAR - 2.0, boxes[-1][0][1], 3.0, max(tops) - boxes[-1][0][1])

@@ -26,7 +26,7 @@ def draw_load(sketch: Sketch, spindle: Spindle, load: PointLoad, long: float) ->
         foot = -up * (radius + long / 2.0)
         _arrow(sketch, (x, foot), up, long, along=False)
     if load.Fz:
-        _across(sketch, x, radius + 0.35 * long, 0.2 * long, towards=load.Fz > 0.0)
+        _normal_force(sketch, x, radius + 0.35 * long, 0.2 * long, towards=load.Fz > 0.0)
     return x, "\n".join([load.name or "load", *_values(load)])
 
 
@@ -56,7 +56,7 @@ def _arrow(
     sketch.polygon(tip, GREEN, edge=GREEN, z=9)
 
 
-def _across(sketch: Sketch, x: float, y: float, radius: float, *, towards: bool) -> None:
+def _normal_force(sketch: Sketch, x: float, y: float, radius: float, *, towards: bool) -> None:
     """Draw a force normal to the drawing: the tip of its arrow (a dot) or its tail (a cross)."""
     sketch.circle(x, y, radius, "#FFFFFF", edge=GREEN, width=1.2, z=9)
     if towards:

@@ -30,16 +30,16 @@ def as_modes(receptance: Callable[[Array], Complex], omega: Array) -> ModalTip |
     if error > EXACT:
         return None
     fit = vector_fit(omega, flat, weight, start)
-    if not _exact(fit, size):
+    if not _is_exact(fit, size):
         return None
     peak = np.abs(fit.residue).max(axis=1) / np.abs(fit.pole.real)
     kept = peak > SPURIOUS * size.max()
     final = residues(omega, flat, fit.pole[kept], weight)
-    if not _exact(final, size):
+    if not _is_exact(final, size):
         return None
     shape = (-1, *values.shape[1:])
     return of_residues(final.pole, final.residue.reshape(shape), final.constant.reshape(shape[1:]))
 
 
-def _exact(fit: Fit, size: Array) -> bool:
+def _is_exact(fit: Fit, size: Array) -> bool:
     return bool(np.abs(fit.error).max() <= EXACT * size.max())

@@ -64,8 +64,8 @@ def chips(cut: Cut, feed: float) -> tuple[Chip, ...]:
     """Return the chips of all teeth of the pattern, with mean ``feed`` by tooth [m]."""
     result = []
     for tooth, since in enumerate(passed(cut, feed)):
-        whole = [((cut.entry, cut.exit), 0)]
-        spans = _spans(cut, since.feed, since.height) if cut.runout else whole
+        all_in_cut = [((cut.entry, cut.exit), 0)]
+        spans = _spans(cut, since.feed, since.height) if cut.runout else all_in_cut
         for (entry, exit), earlier in spans:
             values = since.feed[earlier], since.height[earlier], since.gap[earlier]
             result.append(Chip(tooth, entry, exit, *map(float, values)))

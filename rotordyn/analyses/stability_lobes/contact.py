@@ -38,14 +38,14 @@ class Beyond:
 
 @dataclass(frozen=True)
 class Contact:
-    """Contact of teeth with ``forces`` at a ``speed`` [rad/s]; ``rubbing`` of flanks [N s/m²]."""
+    """Contact of teeth with ``forces`` at a ``speed`` [rad/s]; ``rubbing`` by depth [N s/m²]."""
 
     forces: Forces
     speed: float
     rubbing: float
 
     def of(self, order: Array, moved: Complex) -> Beyond:
-        """Return the nonlinear part by amplitudes of motion (n, 2) at orders of the revolution."""
+        """Return nonlinear part by amplitudes of motion (n, 2) at orders of a revolution ≥ 0."""
         angle, velocity = self._angle(order), self._at_angles(order, moved * self._iomega(order))
         linear, true = np.zeros((len(angle), 3)), np.zeros((len(angle), 3))
         for tooth, prior in enumerate(passed(self.forces.cut, self.forces.feed)):
@@ -102,7 +102,7 @@ class Contact:
         return np.asarray(1j * order * self.speed)[:, None]
 
     @property
-    def _count(self) -> int:
+    def _slice_count(self) -> int:
         """Number of slices of an edge."""
         return max(1, math.ceil(self.forces.cut.lag / SLICE))
 
@@ -110,7 +110,7 @@ class Contact:
         """Yield angles of the slices of an edge that are between entry and exit, and their indices
         among the ``angle`` of the cutter."""
         cut = self.forces.cut
-        for lag in cut.lag * (np.arange(self._count) + 0.5) / self._count:
+        for lag in cut.lag * (np.arange(self._slice_count) + 0.5) / self._slice_count:
             for at in cut.standing(angle)[:, tooth] - lag:
                 rows = np.flatnonzero((at > cut.entry) & (at < cut.exit))
                 yield at[rows], rows
@@ -120,7 +120,7 @@ class Contact:
         over the radius (n, 3). The torque of chips is omitted: their sum is the feed however the
         tip moves, so that its mean stays."""
         forces, cut = self.forces, self.forces.cut
-        share = forces.depth / self._count
+        share = forces.depth / self._slice_count
         t = share * (cut.tangential * thick + forces.tangential)
         r = share * (cut.radial * thick + forces.radial + rate)
         edge = np.full_like(t, share * forces.tangential)

@@ -55,7 +55,7 @@ def largest_crossing(solve: Solve, angle: Array, ends: Sequence[int] = (-1,)) ->
     return best
 
 
-def _links(z: Complex) -> tuple[Complex, Complex]:
+def _pairs(z: Complex) -> tuple[Complex, Complex]:
     """Pair each eigenvalue of a sample with the nearest one of the next, and vice versa
     (n − 1, 2 m)."""
     distance = np.abs(z[:-1, :, None] - z[1:, None, :])
@@ -75,7 +75,7 @@ def _best(solve: Solve, angle: Array, z: Complex, known: Crossing, ends: Sequenc
         largest = computed[end].real[real].max(initial=0.0)
         best = max(best, Crossing(float(largest), float(angle[end])), key=_value)
         z[end] = np.where(real, computed[end].real, computed[end])
-    low, high = _links(z)
+    low, high = _pairs(z)
     changes_sign = low.imag * high.imag < 0.0
     highest = np.where(changes_sign, np.maximum(low.real, high.real), 0.0)
     around = (angle[:-1] <= known.angle) & (known.angle <= angle[1:])
@@ -124,7 +124,7 @@ def _root(solve: Solve, angle: Array, low: complex, high: complex) -> Crossing:
 def _unresolved(angle: Array, z: Complex, best: Crossing, ends: Sequence[int]) -> NDArray[np.intp]:
     """Return the intervals to halve: a branch turns back near the axis beyond the best crossing, or
     the count of unstable multipliers is uncertain, or contradicts the limit."""
-    low, high = _links(z)
+    low, high = _pairs(z)
     floor = max(best.value, np.abs(z).max() / RANGE)
     is_beyond = np.maximum(low.real, high.real) > floor
     step = np.abs(high - low)

@@ -59,7 +59,7 @@ class Cut:
         if not (self.pitches or self.runout):
             return (2.0 * math.pi / self.teeth,)
         pitches = self.pitches or (2.0 * math.pi / self.teeth,) * self.teeth
-        return pitches[: _pattern(pitches, self.runout or (0.0,) * self.teeth)]
+        return pitches[: _pattern_size(pitches, self.runout or (0.0,) * self.teeth)]
 
     @property
     def even(self) -> bool:
@@ -194,7 +194,7 @@ class Cut:
 
 
 @lru_cache
-def _pattern(*values: tuple[float, ...]) -> int:
+def _pattern_size(*values: tuple[float, ...]) -> int:
     """Return the number of teeth of the shortest pattern that repeats around the cutter."""
     teeth = np.array(values)
     count = teeth.shape[1]

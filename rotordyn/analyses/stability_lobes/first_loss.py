@@ -34,17 +34,17 @@ def first_loss(coarse: Radius, fine: Radius, low: float, high: float, step: floa
     coarse, fine = cache(coarse), cache(fine)
     if fine(low) >= 1.0:
         return 0.0
-    guess = _tried(coarse, low, high, step, ROUGH, DOUBTFUL)
+    guess = _search(coarse, low, high, step, ROUGH, DOUBTFUL)
     if math.isinf(guess):
         return guess
     for share in AROUND if guess > 0.0 else ():
         ends = max((1.0 - share) * guess, low), min((1.0 + share) * guess, high)
         if fine(ends[0]) < 1.0 <= fine(ends[1]):
             return _root(fine, *ends, WITHIN)
-    return _tried(fine, low, high, step, WITHIN)
+    return _search(fine, low, high, step, WITHIN)
 
 
-def _tried(
+def _search(
     radius: Radius, low: float, high: float, step: float, within: float, doubtful: float = 0.0
 ) -> float:
     """Return the least depth at which the radius is 1, to a relative tolerance ``within``; 0 where

@@ -124,16 +124,16 @@ class _Steps(NamedTuple):
         low, high = ends[1].min() / (1.0 + reach), ends[0].max() / max(1.0 - reach, 0.5)
         return np.arange(max(math.ceil(low - 0.5), 0), math.floor(high - 0.5) + 1) + 0.5
 
-    def _within(self, waves: float) -> Flags:
+    def _steps_with(self, waves: float) -> Flags:
         return np.asarray(self.wide & (self.waves[1:] < waves) & (waves <= self.waves[:-1]))
 
     def hold(self, waves: float) -> bool:
         """Return whether the mode makes that number of waves within some step."""
-        return bool(self._within(waves).any())
+        return bool(self._steps_with(waves).any())
 
     def at(self, waves: float) -> tuple[int, float]:
         """Return the step in which the mode makes that number of waves, and its speed [rad/s]."""
-        k = int(self._within(waves).argmax())
+        k = int(self._steps_with(waves).argmax())
         slope = (self.hertz[k + 1] - self.hertz[k]) / (self.speed[k + 1] - self.speed[k])
         return k, (self.hertz[k] - slope * self.speed[k]) / (waves / self.turn - slope)
 

@@ -45,7 +45,7 @@ class Floquet:
     damping: Array | None = None
 
     @cached_property
-    def _slow(self) -> ModalTip:
+    def _modes(self) -> ModalTip:
         """Modes (m,) of the state: those that decay too little over a span to be truncated."""
         return self.tip.below(REMEMBERED * self.spans.top)
 
@@ -61,12 +61,12 @@ class Floquet:
 
     @cached_property
     def _integrals(self) -> list[tuple[Complex, Complex]]:
-        """Of each span: the free decay of every mode from 1, expanded in polynomials (m, p), and
-        the state of the mode at the end of the span by forces (m, p)."""
+        """Integrals over each span: free decay of every mode from 1 in polynomials (m, p), and the
+        state of the mode at the end of the span by forces (m, p)."""
         integrals = []
         for (_, half, _), (*_, count) in zip(self._times, self.spans.each, strict=True):
             order = np.arange(count)
-            decay = modified_bessel(self._slow.pole * half, count) * 2.0 * np.sqrt(order + 0.5)
+            decay = modified_bessel(self._modes.pole * half, count) * 2.0 * np.sqrt(order + 0.5)
             integrals.append((decay, half * decay * (-1.0) ** order))
         return integrals
 
@@ -77,7 +77,7 @@ class Floquet:
         for place, (begin, _, _), (decay, _) in zip(
             self.spans.places, self._times, self._integrals, strict=True
         ):
-            at_start = np.exp(self._slow.pole * begin)
+            at_start = np.exp(self._modes.pole * begin)
             motion[place] = np.einsum("ma,mi,m->aim", decay, shape, at_start)
         flat = motion.reshape(-1, len(shape))
         return np.concatenate([2.0 * flat.real, -2.0 * flat.imag], axis=1)
@@ -93,11 +93,11 @@ class Floquet:
         for place, (_, half, _), (*_, count) in zip(
             self.spans.places, self._times, self.spans.each, strict=True
         ):
-            y = _integrated(near.pole, half, count).reshape(len(near.pole), -1)
+            y = _mode_solutions(near.pole, half, count).reshape(len(near.pole), -1)
             block = 2.0 * (residue.real @ y.real - residue.imag @ y.imag)
             block = block.reshape(2, 2, count, count) + static[:, :, None, None] * np.eye(count)
             matrix[place, :, place] = block.transpose(2, 0, 3, 1)
-        slow = self._slow
+        slow = self._modes
         shape = slow.shape * slow.pole[:, None] if velocity else slow.shape
         for k, later in enumerate(self.spans.places):
             for j, earlier in enumerate(self.spans.places[:k]):
@@ -110,7 +110,7 @@ class Floquet:
     @cached_property
     def _state(self) -> Array:
         """W: states after a period by forces (2m, 2p)."""
-        slow = self._slow
+        slow = self._modes
         states = np.zeros((len(slow.pole), self.spans.size, 2), dtype=complex)
         for place, (_, _, end), (_, by_force) in zip(
             self.spans.places, self._times, self._integrals, strict=True
@@ -123,7 +123,7 @@ class Floquet:
     @cached_property
     def _state_by_state(self) -> Array:
         """P: states after a period by those before it (2m, 2m)."""
-        decay = np.exp(self._slow.pole * self.spans.period)
+        decay = np.exp(self._modes.pole * self.spans.period)
         matrix, size = np.zeros((2, len(decay), 2, len(decay))), np.arange(len(decay))
         matrix[0, size, 0, size] = matrix[1, size, 1, size] = decay.real
         matrix[1, size, 0, size], matrix[0, size, 1, size] = decay.imag, -decay.imag
@@ -132,12 +132,12 @@ class Floquet:
     @cached_property
     def _scaled(self) -> tuple[Array, Array]:
         """Largest displacement by each state (2m,), and F by states scaled by it."""
-        free = self._free(self._slow.shape)
+        free = self._free(self._modes.shape)
         size = np.maximum(np.abs(free).max(axis=0, initial=0.0), 1e-300)
         return size, free / size
 
     @cached_property
-    def _after(self) -> tuple[Array, Array]:
+    def _transition(self) -> tuple[Array, Array]:
         """Matrices of y = (c, x), kept displacement and state, after a period: by forces
         (q + 2m, 2p), and by y before it (q + 2m, q + 2m)."""
         kept = self.spans.thickness.kept
@@ -154,12 +154,12 @@ class Floquet:
     def _teeth(self) -> tuple[Array, Array, Array]:
         """D (2p, n), V (n, 2p) and Q (n, q + 2m) of chip thickness and velocity w (n,)."""
         forces, now, before, kept = self.spans.thickness
-        by_force = self._after[0][: len(kept)] if now is kept else now @ self._motion
+        by_force = self._transition[0][: len(kept)] if now is kept else now @ self._motion
         by_state = np.concatenate([-before, now @ self._scaled[1]], axis=1)
         if self.damping is None:
             return forces, by_force, by_state
         rubbing, along = factors(self.damping)
-        velocity = self._free(self._slow.shape * self._slow.pole[:, None]) / self._scaled[0]
+        velocity = self._free(self._modes.shape * self._modes.pole[:, None]) / self._scaled[0]
         return (
             np.concatenate([forces, rubbing], axis=1),
             np.concatenate([by_force, along @ self._forced(velocity=True)]),
@@ -170,9 +170,9 @@ class Floquet:
     def _loop(self) -> tuple[Array, Array]:
         """V D (n, n), and y after a period by w (q + 2m, n)."""
         forces, by_force, _ = self._teeth
-        return by_force @ forces, self._after[0] @ forces
+        return by_force @ forces, self._transition[0] @ forces
 
-    def _felt(self, depth: float) -> Array:
+    def _thickness(self, depth: float) -> Array:
         """Return the matrix of w by y (n, q + 2m) at a depth."""
         loop, _ = self._loop
         return np.asarray(np.linalg.solve(np.eye(len(loop)) + depth * loop, self._teeth[2]))
@@ -180,7 +180,7 @@ class Floquet:
     def map(self, depth: float) -> Array:
         """Return the matrix of y, kept displacement over the cut and state, after a period by y
         before it (q + 2m, q + 2m)."""
-        return np.asarray(self._after[1] - depth * self._loop[1] @ self._felt(depth))
+        return np.asarray(self._transition[1] - depth * self._loop[1] @ self._thickness(depth))
 
     def multipliers(self, depth: float) -> Complex:
         """Return the Floquet multipliers at a depth [m], unstable if one exceeds 1 in size."""
@@ -193,7 +193,7 @@ class Floquet:
         The motion of one period is then that of the last with the opposite or the same sign, and
         depths are reciprocal eigenvalues of one matrix: none is missed.
         """
-        (forces, by_force, before), (after, by_state) = self._teeth, self._after
+        (forces, by_force, before), (after, by_state) = self._teeth, self._transition
         back = np.linalg.solve(multiplier * np.eye(len(by_state)) - by_state, after)
         value = -np.linalg.eigvals((by_force + before @ back) @ forces)
         real = value.real[(np.abs(value.imag) <= REAL * np.abs(value)) & (value.real > 0.0)]
@@ -203,11 +203,11 @@ class Floquet:
         """Return the largest multiplier of Im ≥ 0, and forces over the cut of its motion (2p,)."""
         values, vectors = np.linalg.eig(self.map(depth))
         place = int(np.where(values.imag >= 0.0, np.abs(values), 0.0).argmax())
-        forces = -depth * self._teeth[0] @ (self._felt(depth) @ vectors[:, place])
+        forces = -depth * self._teeth[0] @ (self._thickness(depth) @ vectors[:, place])
         return complex(values[place]), forces
 
 
-def _integrated(pole: Complex, half: float, count: int) -> Complex:
+def _mode_solutions(pole: Complex, half: float, count: int) -> Complex:
     """Return solutions (m, p, p) of x' = pole x + f over a span of half length ``half`` [s] from
     x = 0, as coefficients of orthonormal polynomials by those of f.
 

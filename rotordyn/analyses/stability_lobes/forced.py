@@ -95,7 +95,7 @@ class Forced:
         values = receptance(order * self.speed)
         force, torque = self.forces.harmonics(order), self.forces.mean_torque()
         if self.rubbing > 0.0 or not self.forces.cut.even:
-            settled = self._settled(order, values, force)
+            settled = self._converged(order, values, force)
             motion = np.einsum("kij,kj->ki", values, settled.force)
             largest = self._contact.largest(order, motion, settled.beyond)
             torque += settled.beyond.torque
@@ -120,7 +120,7 @@ class Forced:
     def _contact(self) -> Contact:
         return Contact(self.forces, self.speed, self.rubbing)
 
-    def _settled(self, order: Array, receptance: Complex, alone: Complex) -> _Settled:
+    def _converged(self, order: Array, receptance: Complex, alone: Complex) -> _Converged:
         """Iterate the forces of the vibration, which moves the ends of its own contact: their
         nonlinear part by the last motion is added, in full or shorter steps, until it converges."""
         loop, added = _Loop(self, order, receptance), np.zeros_like(alone)
@@ -138,7 +138,7 @@ class Forced:
             before, error = error, size(change) / scale
             if step == 0 or error < best:
                 best = error
-                result = _Settled(force, beyond, error, size(force - linear) / scale)
+                result = _Converged(force, beyond, error, size(force - linear) / scale)
             if error < SETTLED or not error < LOST:
                 break
             share = share if error < LESS * before else max(0.5 * share, SHORTEST)
@@ -170,7 +170,7 @@ class Forced:
         return float(np.hypot(*self.forces.at(angle)[:, :2].T).max())
 
 
-class _Settled(NamedTuple):
+class _Converged(NamedTuple):
     """Forces of a vibration (n, 2) and their nonlinear part ``beyond``; others as in ``Milled``."""
 
     force: Complex
@@ -199,10 +199,10 @@ class _Loop:
             motion = np.einsum("kij,kj->ki", receptances, force)
             return np.asarray((force + sum(loop(motion) for loop in loops)).ravel())
 
-        known = self._both_signs(alone)
-        operator = LinearOperator((known.size, known.size), matvec=closed, dtype=complex)
+        load = self._both_signs(alone)
+        operator = LinearOperator((load.size, load.size), matvec=closed, dtype=complex)
         solution, failed = gmres(
-            operator, known.ravel(), rtol=SOLVED, restart=SEARCHED, maxiter=RESTARTED
+            operator, load.ravel(), rtol=SOLVED, restart=SEARCHED, maxiter=RESTARTED
         )
         if failed:
             raise NoSolution(

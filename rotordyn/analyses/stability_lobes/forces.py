@@ -60,7 +60,7 @@ class Forces:
         angles, total = self.cut.standing(angle), np.zeros((len(angle), 3))
         for chip in self.chips:
             total += self._of_chip(chip, angles[:, chip.tooth])
-        return self.depth * total * np.array([-1.0, -1.0, 1.0])
+        return self.depth * total * np.array([-1.0, -1.0, 1.0])  # F = −a H Δ, as in ``cutting``
 
     def _of_chip(self, chip: Chip, at: Array) -> Array:
         """Return the sum of its forces by depth (n, 3), its tooth ``at`` angles (turns, n)."""

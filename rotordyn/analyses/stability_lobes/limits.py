@@ -82,7 +82,7 @@ class Limits:
         if spec.method == ZERO_ORDER or spec.turning is not None:
             return self._zero_order_limits(operation)
         if isinstance(self.tip, Tip) and self.tip.modes is None:
-            return self._sampled(self.tip, operation)
+            return self._sampled_limits(self.tip, operation)
         assert self.tip.modes is not None
         tops = self.tip.tops[self.rows]
         tips = [self.tip.modes.at(row) for row in self.rows.tolist()]
@@ -127,7 +127,7 @@ class Limits:
                 self.progress(f"{len(limits)} of {count} speeds")
         return limits
 
-    def _sampled(self, tip: Tip, operation: Operation) -> list[Limit]:
+    def _sampled_limits(self, tip: Tip, operation: Operation) -> list[Limit]:
         """Return limits with a receptance that is no sum of modes."""
         if operation.spec.process_damping > 0.0:
             what = "leave process_damping and interval out, or take method: zero-order"
@@ -158,8 +158,8 @@ class Limits:
             receptance = self._receptance(self.rows[part], top, directions)
             sampled = receptance
             if self.tip.modes is None:
-                known = self._samples(self.rows[part], period[part], MOST_SAMPLES)
-                sampled = partial(_interpolated, receptance, known)
+                coarse = self._samples(self.rows[part], period[part], MOST_SAMPLES)
+                sampled = partial(_interpolated, receptance, coarse)
             depth, at = zero_order(receptance, mean, delays[part], omega, sampled)
             limits += [
                 Limit(float(a), float(w) / (2.0 * math.pi), HOPF if math.isfinite(a) else NONE)

@@ -79,12 +79,12 @@ def modal_limit(tip: ModalTip, top: float, process: Process) -> Limit:
         (-1.0,) if process.cut.even else (-1.0, 1.0)
     )  # what repeats with even teeth cuts no chip
     real = math.inf if process.lag > 0.0 else min(fine(0.0).repeating(sign) for sign in signs)
-    damped = _damped(tip)
+    damped = _with_damping(tip)
     deepest = DEEPEST * (low if damped is tip else CERTAIN / _gain(damped, process))
     if process.lag == 0.0:
         deepest *= process.cut.interruption
     deepest = max(deepest, DEEP)
-    high = min(deepest, (1.0 - JUST_BELOW) * real)
+    high = min(deepest, (1.0 - JUST_BELOW) * real)  # ``real`` is exact: only lower ones are sought
     depth = min(first_loss(_radius(coarse), _radius(fine), low, high, step), real)
     if depth > deepest:
         return UNLIMITED
@@ -103,7 +103,7 @@ def _kind(multiplier: complex, cut: Cut) -> str:
     return FLIP if multiplier.real < 0.0 else FOLD
 
 
-def _damped(tip: ModalTip) -> ModalTip:
+def _with_damping(tip: ModalTip) -> ModalTip:
     """Return the tip with damping ratios of at least ``LEAST_DAMPED``; itself if none is less."""
     decay = np.minimum(tip.pole.real, -LEAST_DAMPED * np.abs(tip.pole))
     if (decay == tip.pole.real).all():

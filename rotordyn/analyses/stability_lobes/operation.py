@@ -29,8 +29,7 @@ class Operation:
 
     @property
     def cut(self) -> Cut:
-        """Teeth in cut, of milling: without those that by the run-out of a planned cut do not
-        cut."""
+        """Milling cut, without the teeth that, by the run-out of a planned cut, do not cut."""
         if self.spec.cut is None or not self.spec.cut.runout:
             return self._cutter
         cut = replace(self.planned.cut, lag=0.0)
@@ -93,8 +92,8 @@ class Operation:
 
     def pushed(self, speed: float, share: float = ONE_WAY) -> Process:
         """Return the planned cut at a speed [rad/s] with a ``share`` of the edge forces that follow
-        the vibration; one way: contact that vibration shortens, as it is not prolonged over
-        surfaces that earlier teeth have cut."""
+        the vibration; one way: vibration shortens contact, but does not prolong it over surfaces
+        that earlier teeth have cut."""
         spec, planned, process = self.spec, self.spec.cut, self.process(speed)
         assert planned is not None
         feed = spec.feed_per_tooth * spec.teeth / (2.0 * math.pi)  # of a radian

@@ -44,24 +44,24 @@ def _alone(spec: Any, variant: Shown) -> Iterator[Curve]:
     for curve in _compared(spec, variant):
         yield curve
         if curve.figure == LIMITS and not curve.series:
-            for words, depth in _limits(result):
-                yield curve._replace(y=depth * MILLIMETRE.factor, series=words)
-            for words, depth in _repeating(result):
+            for label, depth in _limits(result):
+                yield curve._replace(y=depth * MILLIMETRE.factor, series=label)
+            for label, depth in _repeating(result):
                 marks = len(depth) + 1
-                yield curve._replace(y=depth * MILLIMETRE.factor, series=words, least=marks)
-            for words, y in (("chatter", result.chatter), ("nearest mode", result.mode_frequency)):
+                yield curve._replace(y=depth * MILLIMETRE.factor, series=label, least=marks)
+            for label, y in (("chatter", result.chatter), ("nearest mode", result.mode_frequency)):
                 look: dict[str, Any] = {"limits": (0.0, None), "least": len(y) + 1}
-                yield Curve(LIMITS, "chatter frequency", "Hz", curve.x, y, words, **look)
+                yield Curve(LIMITS, "chatter frequency", "Hz", curve.x, y, label, **look)
     rpm = result.milling_speed * RPM.factor
     if result.cut_is_stable.any() and len(rpm) > 1:
         for k, direction in enumerate(result.direction):
             vibration = result.tip_vibration[:, k] * MICROMETRE.factor
-            words = "vibration of the tip from peak to peak"
+            label = "vibration of the tip from peak to peak"
             yield Curve(
-                "milled_surface", words, "µm", rpm, vibration, direction, limits=(0.0, None)
+                "milled_surface", label, "µm", rpm, vibration, direction, limits=(0.0, None)
             )
-        words, force = "largest cutting force", result.cutting_force
-        yield Curve("milled_surface", words, "N", rpm, force, limits=(0.0, None))
+        label, force = "largest cutting force", result.cutting_force
+        yield Curve("milled_surface", label, "N", rpm, force, limits=(0.0, None))
 
 
 def _limits(result: Any) -> Iterator[tuple[str, Any]]:
@@ -75,10 +75,10 @@ def _limits(result: Any) -> Iterator[tuple[str, Any]]:
 
 def _repeating(result: Any) -> Iterator[tuple[str, Any]]:
     """Yield labels and limits [m] where vibration repeats with the teeth, NaN elsewhere."""
-    for kind, words in REPEATING.items():
+    for kind, label in REPEATING.items():
         is_kind = np.array(result.loss) == kind
         if is_kind.any():
-            yield words, np.where(is_kind, result.depth, np.nan)
+            yield label, np.where(is_kind, result.depth, np.nan)
 
 
 def _pockets(result: Any) -> Iterator[Table]:

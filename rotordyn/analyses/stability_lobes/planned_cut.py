@@ -69,8 +69,8 @@ def planned_cut(
             chatters[place[kept]] |= ~some.stable(both, planned, FLIP)
         repeats = operation.planned.repeats  # in a revolution, and so in its frequency
         idle = repeats * len(operation.planned.idle)
-        sharpest = _sharpest(tip.high_poles[limits.rows], repeats * limits.speed)
-        width[place] = np.where(stable[place], 2.0 * sharpest, np.nan)
+        sharpest = _least_damping(tip.high_poles[limits.rows], repeats * limits.speed)
+        width[place] = np.where(stable[place], 2.0 * sharpest, np.nan)  # half-power bandwidth 2 ζ
         rows = zip(place.tolist(), limits.rows.tolist(), limits.speed.tolist(), strict=True)
         for at, row, omega in (values for values in rows if stable[values[0]]):
             forced = operation.forced(omega, HARMONICS * float(tip.tops[row]))
@@ -91,7 +91,7 @@ def planned_cut(
     }
 
 
-def _sharpest(pole: NDArray[np.complex128], speed: Array) -> Array:
+def _least_damping(pole: NDArray[np.complex128], speed: Array) -> Array:
     """Return the least damping ratio (s,) of the modes (s, k) that a multiple of ``speed`` (s,)
     meets up to the next speed, 0 where it meets none."""
     with np.errstate(invalid="ignore"):

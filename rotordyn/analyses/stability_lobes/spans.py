@@ -83,7 +83,7 @@ class Spans:
             phase = self.top * self.period * half
             count = math.ceil(phase) + self.spare
             if not self.cut.even:  # whose spans may be short
-                count = min(count, _enough(phase + (high - low)))
+                count = min(count, _polynomials(phase + (high - low)))
             spans.append((0.5 * (low + high) / turn, half, count))
         return spans
 
@@ -174,7 +174,7 @@ class Spans:
 
     @cached_property
     def thickness(self) -> Thickness:
-        """Low-rank form of cutting forces: a tooth feels one direction, so that r is near p."""
+        """Low-rank cutting forces: one tooth feels one direction, so that r is little above p."""
         same, last = self.delayed
         if self.cut.even:
             forces, chip = factors(self.cutting)
@@ -241,7 +241,7 @@ def both_signs(receptance: Receptance, omega: Array) -> Complex:
     return np.where((omega < 0.0)[..., None, None], values.conj(), values)
 
 
-def _enough(phase: float) -> int:
+def _polynomials(phase: float) -> int:
     """Return the number of polynomials over a span that waves cross by 2 ``phase`` [rad]."""
     count, share = 2, phase**2 / 15.0
     while count <= phase or share > NEGLIGIBLE:

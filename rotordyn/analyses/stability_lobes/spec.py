@@ -217,9 +217,9 @@ class StabilityLobesSpec(Spec):
                 if getattr(self, key):
                     yield (key,), "of milling: given beside turning; leave one of both out"
             return
-        yield from self._of_milling()
+        yield from self._milling_faults()
 
-    def _of_milling(self) -> Faults:
+    def _milling_faults(self) -> Faults:
         if not self.teeth:
             yield ("teeth",), "missing key: the number of teeth, or turning"
         total, count = math.fsum(self.pitch), len(self.pitch)
@@ -262,8 +262,8 @@ class StabilityLobesSpec(Spec):
             unnamed = [*unknown("point", self.point, [*setting.spindle.places])]
             yield from ((("point",), sentence) for sentence in unnamed)
             if self.measured_spindle is not None and not unnamed:
-                yield from self._measured(self.measured_spindle, setting.spindle)
-        yield from self._of_diameter(setting.spindle)
+                yield from self._measured_faults(self.measured_spindle, setting.spindle)
+        yield from self._diameter_faults(setting.spindle)
         if setting.conditions.formulation == ROTATING:
             yield (), "the cut stands still: given beside rotating; allowed: formulation inertial"
         if undamped(setting.spindle):
@@ -282,7 +282,7 @@ class StabilityLobesSpec(Spec):
         if not self.speeds and setting.top <= 0.0:
             yield ("speeds",), "no speed above 0: give speeds of the limits here"
 
-    def _of_diameter(self, spindle: Spindle) -> Faults:
+    def _diameter_faults(self, spindle: Spindle) -> Faults:
         diameter, of_tool = self.diameter, spindle.cutter_diameter
         if self.across(spindle) is None:
             what = (
@@ -298,7 +298,7 @@ class StabilityLobesSpec(Spec):
                 "cutter_diameter of the tool",
             )
 
-    def _measured(self, measured: MeasuredSpindle, spindle: Spindle) -> Faults:
+    def _measured_faults(self, measured: MeasuredSpindle, spindle: Spindle) -> Faults:
         yield from within(("measured_spindle",), measured.faults_on(spindle))
         if self.point and not at_front(spindle, self.point):
             yield (

@@ -170,15 +170,15 @@ def _motor(result: StabilityLobesResult) -> list[str]:
     """Return the line of speeds at which the motor limits the cut, and the highest removal rate."""
     if not result.motor:
         return []
-    known = ~np.isnan(result.depth)
+    solved = ~np.isnan(result.depth)
     less = int((result.motor_depth < result.depth).sum())
-    if len(known) == 1:
+    if len(solved) == 1:
         order = "before" if less else "after"
         line = f"motor      {result.motor}: limits the cut {order} chatter does"
     else:
-        where = planned_summary.of_speeds(less, int(known.sum())) if less else "no speed"
+        where = planned_summary.of_speeds(less, int(solved.sum())) if less else "no speed"
         line = f"motor      {result.motor}: limits the cut before chatter does at {where}"
-    rate = np.where(known, result.motor_removal, 0.0)
+    rate = np.where(solved, result.motor_removal, 0.0)
     if 0.0 < rate.max() < np.inf:
         depth = np.minimum(result.depth, result.motor_depth)
         most = rate >= AS_MUCH * rate.max()
@@ -200,8 +200,8 @@ def _even(result: StabilityLobesResult) -> list[str]:
         return []
     row, ratio = _largest_difference(result.depth, even)
     line = "even pitch evenly spaced teeth would be stable"
-    known = np.isfinite(even).any()
-    line += f" up to {in_mm(np.nanmin(even))}" if known else " at any depth"
+    finite = np.isfinite(even).any()
+    line += f" up to {in_mm(np.nanmin(even))}" if finite else " at any depth"
     if ratio > 1.0:
         line += (
             f"; the uneven ones differ most at {_rpm(result, row)}: {in_mm(result.depth[row])} in "

@@ -124,7 +124,8 @@ class Tip:
         return tip
 
     def changed(self, rows: Indices, change: Change) -> Tip:
-        """Return the tip at some of the speeds, with the stiffness and damping ratios scaled."""
+        """Return the tip at some of the speeds, with stiffness and damping ratios scaled."""
+        # damping matrices scale with √(k m) for the same damping ratios
         stiffness, damping = change.stiffness, change.damping * np.sqrt(change.stiffness)
         highest = self.highest * math.sqrt(float(change.stiffness.max()))
         tip = replace(self, highest=highest)
@@ -140,7 +141,7 @@ class Tip:
 
         Raises
         ------
-        InvalidInput : a mode without damping
+        InvalidInput : a mode without damping that moves the tip
         """
         workpiece = np.broadcast_to(self.workpiece.pole, (self.count, len(self.workpiece.pole)))
         pole = np.concatenate([*(motions.pole for motions, *_ in self._parts), workpiece], axis=1)

@@ -51,14 +51,14 @@ class TipModes:
         """Return sums of modes at some of the speeds, for frequencies up to ``top`` [rad/s]; motion
         in feed and normal, or in the feed alone, by forces in both."""
         pole = self.pole[rows]
-        known = np.isfinite(pole)
+        exists = np.isfinite(pole)
         residue = self.shape[rows, :, :directions, None] * self.participation[rows][..., None, :]
-        residue = np.where(known[..., None, None], residue, 0.0).reshape(*pole.shape, -1)
-        pole = np.where(known, pole, -1.0)
-        near = known & (np.abs(pole) < FAR * top)
+        residue = np.where(exists[..., None, None], residue, 0.0).reshape(*pole.shape, -1)
+        pole = np.where(exists, pole, -1.0)
+        near = exists & (np.abs(pole) < FAR * top)
         order = np.argsort(~near, axis=1, kind="stable")[:, : int(near.sum(axis=1).max())]
         tail = np.empty((TERMS, len(rows), residue.shape[-1]))
-        far = np.where((near | ~known)[..., None], 0.0, residue)
+        far = np.where((near | ~exists)[..., None], 0.0, residue)
         for power in range(TERMS):  # of 1/(s − p) = −Σ sⁿ/pⁿ⁺¹
             far = far / pole[..., None]
             sign = (1.0, 1.0, -1.0, -1.0)[power % 4]  # of iⁿ

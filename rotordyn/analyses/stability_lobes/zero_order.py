@@ -45,7 +45,7 @@ def zero_order(
     that costs less, in which crossings are located.
     """
     near = receptances if sampled is None else sampled
-    z = _followed(_eigenvalues(near(omega), mean, delays, omega))
+    z = _sorted_branches(_eigenvalues(near(omega), mean, delays, omega))
     low, high = z[:, :-1], z[:, 1:]
     chord, highest = np.abs(high - low), np.maximum(low.real, high.real)
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -89,7 +89,7 @@ def _eigenvalues(receptance: Complex, mean: Mean, delays: Array, omega: Array) -
     return np.stack([larger, smaller], axis=-1)
 
 
-def _followed(z: Complex) -> Complex:
+def _sorted_branches(z: Complex) -> Complex:
     """Sort eigenvalues (s, f, d) so that each branch keeps its column."""
     if z.shape[-1] == 1:
         return z
@@ -121,6 +121,7 @@ def _roots(
         if (np.abs(z.imag) <= 1e-10 * np.abs(z)).all():
             break
         replaces_a = (z.imag > 0.0) == (z_a.imag > 0.0)
+        # Illinois rule: an end that stays twice has its weight halved, which otherwise stalls
         weight_b = np.where(replaces_a, np.where(side < 0.0, 0.5 * weight_b, z_b.imag), z.imag)
         weight_a = np.where(replaces_a, z.imag, np.where(side > 0.0, 0.5 * weight_a, z_a.imag))
         a, z_a = np.where(replaces_a, middle, a), np.where(replaces_a, z, z_a)

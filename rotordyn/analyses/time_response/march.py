@@ -167,7 +167,7 @@ def march(
     for begin in range(0, steps, AT_ONCE):
         require_time("time_response", "not finished")
         progress(f"step {begin} of {steps}")
-        external = _fitted(inputs, length, begin, min(AT_ONCE, steps - begin))
+        external = _nodal_inputs(inputs, length, begin, min(AT_ONCE, steps - begin))
         if newton is None:
             after = slice(2 * begin + 1, 2 * (begin + len(external)) + 1)
             state, outputs[:, after] = step.linear(state, external)
@@ -188,7 +188,7 @@ def march(
     return _path(equation, outputs, force, ended, unbalanced)
 
 
-def _fitted(inputs: Callable[[Array], Array], length: float, first: int, steps: int) -> Array:
+def _nodal_inputs(inputs: Callable[[Array], Array], length: float, first: int, steps: int) -> Array:
     """Return inputs at the three nodes of each of some ``steps`` (steps, s, 3, p)."""
     edges = length * (first + np.arange(steps * SUBSTEPS + 1) / SUBSTEPS)
     means = inputs(edges)
@@ -240,20 +240,20 @@ class _Newton:
         displacements at which all bearings had one is halved.
         """
         shape = force.shape
-        moved, force = trial.reshape(self._last.shape), force.reshape(self._last.shape)
-        self._alive &= np.isfinite(moved).all(axis=1)
-        base, valid = moved - (self._by_force @ force[..., None])[..., 0], self._last.copy()
-        valid_force, balanced = force.copy(), np.zeros(len(moved), dtype=bool)
+        delta, force = trial.reshape(self._last.shape), force.reshape(self._last.shape)
+        self._alive &= np.isfinite(delta).all(axis=1)
+        base, valid = delta - (self._by_force @ force[..., None])[..., 0], self._last.copy()
+        valid_force, balanced = force.copy(), np.zeros(len(delta), dtype=bool)
         for _ in range(ITERATIONS):
-            moved[~self._alive] = 0.0
-            force_at, slope, exists = self._evaluate(moved)
+            delta[~self._alive] = 0.0
+            force_at, slope, exists = self._evaluate(delta)
             slope = np.where(exists[:, None, None, None], slope, 0.0)
             force_at = np.where(exists[:, None], force_at, 0.0)
-            error = base + (self._by_force @ force_at[..., None])[..., 0] - moved
+            error = base + (self._by_force @ force_at[..., None])[..., 0] - delta
             feedback = (self._columns @ slope).swapaxes(1, 2).reshape(self._by_force.shape)
             change = np.linalg.solve(np.eye(error.shape[1]) - feedback, error[..., None])[..., 0]
             correction = (slope @ change.reshape(*slope.shape[:3], 1)).reshape(error.shape)
-            valid = np.where(exists[:, None], moved, valid)
+            valid = np.where(exists[:, None], delta, valid)
             valid_force = np.where(exists[:, None], force_at + correction, valid_force)
             size = np.abs(valid * self._lever).max(axis=1)
             small = np.abs(change * self._lever).max(axis=1) <= (
@@ -262,7 +262,7 @@ class _Newton:
             balanced = exists & small
             if (balanced | ~self._alive).all():
                 break
-            moved = np.where(exists[:, None], moved + change, 0.5 * (moved + valid))
+            delta = np.where(exists[:, None], delta + change, 0.5 * (delta + valid))
         self._alive &= balanced
         self._last = np.where(balanced[:, None], valid, self._last)
         self._largest = np.where(balanced, np.maximum(self._largest, size), self._largest)

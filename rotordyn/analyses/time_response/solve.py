@@ -143,12 +143,12 @@ def _path(
 ) -> Path:
     """Integrate the motion in ``count`` steps, from the steady orbit of the unbalances."""
     inputs = partial(mean_inputs, spec, equation.speed)
-    initial = _on_orbit(spec, equation)
+    initial = _steady_start(spec, equation)
     step = spec.duration / count
     return march(equation, inputs, step, count, initial, nonlinear, scene.progress)
 
 
-def _on_orbit(spec: TimeResponseSpec, equation: Equation) -> tuple[Array, Array]:
+def _steady_start(spec: TimeResponseSpec, equation: Equation) -> tuple[Array, Array]:
     """Return q and q̇ (s, n) at time 0 of the steady orbit of the linear machine; infinite at a
     critical speed without damping, which has none."""
     s, n, _ = equation.stiffness.shape
@@ -183,15 +183,15 @@ def _result(
     bearings: Bearings | None,
 ) -> TimeResponseResult:
     path, time = motion.path, np.linspace(0.0, spec.duration, spec.samples)
-    moved, linear_moved = _displacement(path), _displacement(linear)
-    (when, size), late = longest(moved, time), 3 * (spec.samples // 4)
+    displacement, linear_displacement = _displacement(path), _displacement(linear)
+    (when, size), late = longest(displacement, time), 3 * (spec.samples // 4)
     outcome, ending = [*scene.outcome], ["" for _ in scene.speed]
     for row, k in enumerate(scene.usable):
         if not path.ended[row]:
             outcome[k] = f"at {number(scene.speed[k] * RPM.factor, 0)} rpm {WIDE}"
         elif path.ended[row] < spec.samples:
             ending[k] = ENDINGS[bool(path.unbalanced[row])]
-    late_size = longest(moved[:, late:], time[late:])[1]
+    late_size = longest(displacement[:, late:], time[late:])[1]
     late_size[path.ended < spec.samples] = np.nan
     loads = loads_and_peaks(scene, path, time, bearings)
     margins = sleeve_margins(scene, equation, path.sleeves, motion.sleeves, motion.coarser)
@@ -217,12 +217,12 @@ def _result(
         ended=scattered(ended),
         ending=tuple(ending),
         applied=np.array(applied).reshape(len(spec.forces), spec.samples).T,
-        displacement=scattered(moved),
-        linear_displacement=scattered(linear_moved),
+        displacement=scattered(displacement),
+        linear_displacement=scattered(linear_displacement),
         largest=scattered(size),
         late_largest=scattered(late_size),
         largest_time=scattered(when),
-        linear_largest=scattered(longest(linear_moved, time)[1]),
+        linear_largest=scattered(longest(linear_displacement, time)[1]),
         **{name: scattered(field) for name, field in loads.items()},
         **{name: scattered(field) for name, field in margins.items()},
         unbalances=len(spec.unbalances),

@@ -66,10 +66,10 @@ class ForceOverTime(Description):
             )
         if self.end <= self.start:
             yield ("end",), "not after the start: given {given}; allowed: a later time"
-        yield from self._of_shape()
-        yield from self._of_table()
+        yield from self._shape_faults()
+        yield from self._table_faults()
 
-    def _of_shape(self) -> Faults:
+    def _shape_faults(self) -> Faults:
         if self.frequency is not None and self.pulse is not None:
             yield ("pulse",), "given beside a frequency: a force has one shape, leave one out"
         if self.frequency is None and self.phase:
@@ -81,7 +81,7 @@ class ForceOverTime(Description):
         elif self.period < self.pulse:
             yield ("period",), "shorter than the pulse: given {given}; allowed: at least the pulse"
 
-    def _of_table(self) -> Faults:
+    def _table_faults(self) -> Faults:
         given = {key: getattr(self, key) is not None for key in ("frequency", "pulse", "period")}
         given |= {"start": self.start > 0.0, "end": self.end < math.inf}
         for key in (key for key, there in given.items() if there and self.times):
@@ -193,12 +193,12 @@ class TimeResponseSpec(Spec):
                 "response over time: leave spindle.dampers out, or give supports with damping in "
                 "their place",
             )
-        yield from self._of_stops(spindle)
+        yield from self._stop_faults(spindle)
         if not misnamed(spindle):
-            yield from self._places(spindle)
-            yield from self._below_max_frequency(setting)
+            yield from self._place_faults(spindle)
+            yield from self._frequency_faults(setting)
 
-    def _of_stops(self, spindle: Spindle) -> Faults:
+    def _stop_faults(self, spindle: Spindle) -> Faults:
         """Check that a stop can close, and that its sleeve has a mass to strike it."""
         if self.stop_stiffness is None:
             return
@@ -217,7 +217,7 @@ class TimeResponseSpec(Spec):
                     "its mass, or leave stop_stiffness out",
                 )
 
-    def _below_max_frequency(self, setting: Setting) -> Faults:
+    def _frequency_faults(self, setting: Setting) -> Faults:
         """Check that unbalances rotate no faster than max_frequency."""
         top = setting.top / (2.0 * math.pi)
         for unbalance in self.unbalances:
@@ -232,7 +232,7 @@ class TimeResponseSpec(Spec):
                 )
                 return
 
-    def _places(self, spindle: Spindle) -> Faults:
+    def _place_faults(self, spindle: Spindle) -> Faults:
         """Check that points exist, and that rotors with unbalance rotate."""
         for index, name in enumerate(self.points):
             for sentence in unknown("point", name, spindle.places):

@@ -28,7 +28,7 @@ def summary(result: TimeResponseResult) -> Iterator[str]:
             unbroken(
                 f"{name} {result.largest[row, k] * MICROMETRE.factor:.4g} µm at "
                 f"{result.largest_time[row, k] * MILLISECOND.factor:.5g} ms"
-                f"{_with_linear(result, row, k)}{_late(result, row, k)}"
+                f"{_with_linear(result, row, k)}{_last_quarter(result, row, k)}"
             )
             for k, name in enumerate(result.point)
         ]
@@ -57,7 +57,7 @@ def _with_linear(result: TimeResponseResult, row: int, point: int) -> str:
     return f" (linear bearings {largest:.4g} µm)" if result.bearing else ""
 
 
-def _late(result: TimeResponseResult, row: int, point: int) -> str:
+def _last_quarter(result: TimeResponseResult, row: int, point: int) -> str:
     """Return the text of the last quarter, if forces act there and its displacement is less."""
     late, largest = result.late_largest[row, point], result.largest[row, point]
     forced = np.abs(result.applied[3 * (len(result.time) // 4) :]).max(initial=0.0) > 0.0

@@ -48,11 +48,11 @@ def acting(spindle: Spindle, mesh: Mesh, spec: UnbalanceSpec) -> list[Acting]:
         for point in spec.unbalances
     ]
     for span in spec.spans:
-        rotor, covered = _covered(spindle, mesh, span)
+        rotor, covered = _elements_within(spindle, mesh, span)
         elements = mesh.of_rotors[rotor]
         mass = np.where(covered, elements.mass, 0.0)
         centre = float((mass * elements.centre).sum() / mass.sum())
-        loads.append(Acting(span.name, Place(rotor, centre), float(mass.sum()) * _off_axis(span)))
+        loads.append(Acting(span.name, Place(rotor, centre), float(mass.sum()) * _offset(span)))
     loads += _grade_unbalances(spindle, spec.grade) if spec.grade else []
     return [one._replace(name=one.name or f"unbalance {k}") for k, one in enumerate(loads, start=1)]
 
@@ -71,9 +71,9 @@ def node_loads(spindle: Spindle, mesh: Mesh, spec: UnbalanceSpec) -> Complex:
     for load in _grade_unbalances(spindle, spec.grade) if spec.grade else []:
         loads[mesh.node_at(*load.place), 0] += load.size
     for span in spec.spans:
-        rotor, covered = _covered(spindle, mesh, span)
+        rotor, covered = _elements_within(spindle, mesh, span)
         elements, of_rotor = mesh.of_rotors[rotor], loads[mesh.spans[rotor]]
-        size = np.where(covered, _off_axis(span), 0.0)[:, None] * _end_masses(elements)
+        size = np.where(covered, _offset(span), 0.0)[:, None] * _end_masses(elements)
         of_rotor[:-1] += size[:, :2]
         of_rotor[1:] += size[:, 2:]
     return loads
@@ -100,7 +100,7 @@ def _plane_names(grade: BalanceGrade) -> Iterator[str]:
         yield f"G {grade.quality * 1e3:g} {at if isinstance(at, str) else f'plane {number}'}"
 
 
-def _off_axis(span: EccentricSpan) -> complex:
+def _offset(span: EccentricSpan) -> complex:
     return cmath.rect(span.eccentricity, span.angle)
 
 
@@ -112,7 +112,7 @@ def _end_masses(mesh: Mesh) -> Array:
     return np.einsum("ep,epi->ei", mass, cubic)
 
 
-def _covered(spindle: Spindle, mesh: Mesh, span: EccentricSpan) -> tuple[str, Flags]:
+def _elements_within(spindle: Spindle, mesh: Mesh, span: EccentricSpan) -> tuple[str, Flags]:
     """Return the rotor of a span, and flags of its elements within the span."""
     first, last = spindle.place(span.start), spindle.place(span.to)
     middle = mesh.of_rotors[first.rotor].middle

@@ -70,27 +70,27 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
     if all(causes):
         raise NoSolution(f"no speed of the case has a steady response to unbalance: {causes[0]}")
     is_steady = np.array([word == "" for word in absent])
-    moved, pushed, departures = _response(spec, ratio, scene)
-    moved[~is_steady] = pushed[~is_steady] = complex(np.nan, np.nan)
+    motion, forces, departures = _response(spec, ratio, scene)
+    motion[~is_steady] = forces[~is_steady] = complex(np.nan, np.nan)
     departures[~is_steady] = np.nan
-    displacement, force = scene.scattered(moved), scene.scattered(pushed)
+    displacement, force = scene.scattered(motion), scene.scattered(forces)
     ellipse = orbit(displacement[..., 0], displacement[..., 1])
     loads = acting(spindle, scene.mesh, spec)
     critical = _criticals(scene, ratio)
-    fine, (fine_moved, fine_pushed, fine_apart) = _sampled(scene, spec, ratio, critical)
+    fine, (fine_motion, fine_forces, fine_apart) = _sampled(scene, spec, ratio, critical)
     undefined = np.isin(fine, scene.speed[scene.usable][~is_steady])
-    fine_moved[undefined] = fine_pushed[undefined] = complex(np.nan, np.nan)
+    fine_motion[undefined] = fine_forces[undefined] = complex(np.nan, np.nan)
     unbounded = [mode.speed for mode in critical if abs(mode.damping_ratio) <= UNDAMPED]
     peaks, pushes = (
         _peaks(fine, orbit(values[..., 0], values[..., 1]).major, unbounded)
-        for values in (fine_moved, fine_pushed)
+        for values in (fine_motion, fine_forces)
     )
     for at in unbounded:
         undefined |= np.abs(fine - at) <= BESIDE * at
-    fine_moved[undefined] = fine_pushed[undefined] = complex(np.nan, np.nan)
+    fine_motion[undefined] = fine_forces[undefined] = complex(np.nan, np.nan)
     fine_apart[undefined] = np.nan
-    fine_orbit = orbit(fine_moved[..., 0], fine_moved[..., 1])
-    fine_force = orbit(fine_pushed[..., 0], fine_pushed[..., 1]).major
+    fine_orbit = orbit(fine_motion[..., 0], fine_motion[..., 1])
+    fine_force = orbit(fine_forces[..., 0], fine_forces[..., 1]).major
     outcome = _outcome(scene, absent)
     runs = runs_of(scene, spec, ratio, outcome)
     return UnbalanceResult(
@@ -122,12 +122,12 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         error=error,
         error_asked=response_accuracy(scene),
         fine_speed=fine,
-        fine_displacement=fine_moved,
+        fine_displacement=fine_motion,
         fine_major_axis=fine_orbit.major,
         fine_minor_axis=fine_orbit.minor,
         fine_force_amplitude=fine_force,
         fine_departure=fine_apart,
-        force_unbounded=_first(pushes),
+        force_unbounded=_first_unbounded(pushes),
         film_orbit=_film_orbits(spindle, fine, ratio, fine_force),
         film_ratio=np.array(
             [getattr(each, "eccentricity_ratio", np.nan) for each in spindle.connections]
@@ -198,7 +198,7 @@ def _peaks(speed: Array, amplitude: Array, unbounded: Sequence[float]) -> Array:
     return peaks
 
 
-def _first(peaks: Array) -> Array:
+def _first_unbounded(peaks: Array) -> Array:
     """Return the first speed at which ``peaks`` (2, curves, n) are infinite, NaN without one."""
     at = np.where(np.isinf(peaks[1]), peaks[0], np.inf).min(axis=1, initial=np.inf)
     return np.where(np.isinf(at), np.nan, at)
@@ -267,7 +267,7 @@ def _criticals(scene: Scene, ratio: float) -> list[Critical]:
 
 
 def _errors(scene: Scene, spec: UnbalanceSpec, ratio: float) -> Array:
-    """Return the largest change of the motion of each point by a finer model, over its peak."""
+    """Return the largest change of the motion (points,) by a finer model, over its peak."""
     if scene.rigid:
         return np.zeros(len(spec.points))
     if not scene.checks.wanted:

@@ -64,10 +64,10 @@ class UnbalanceSpec(Spec):
         for index, span in enumerate(self.spans):
             yield from spanned(span.start, span.to, spindle, ("spans", index), rotors=True)
         if self.grade is not None:
-            yield from _planes(self.grade, spindle)
-        yield from self._one_speed(spindle)
+            yield from _plane_faults(self.grade, spindle)
+        yield from self._speed_faults(spindle)
 
-    def _one_speed(self, spindle: Spindle) -> Faults:
+    def _speed_faults(self, spindle: Spindle) -> Faults:
         """Check that all rotors out of balance turn, and at one speed."""
         first: dict[float, str] = {}
         for path, at in self._acting():
@@ -109,7 +109,7 @@ def run_name(time: float) -> str:
     return f"{time:g} s"
 
 
-def _planes(grade: BalanceGrade, spindle: Spindle) -> Faults:
+def _plane_faults(grade: BalanceGrade, spindle: Spindle) -> Faults:
     """Check that planes are on one rotor, two on both sides of its centre of gravity."""
     path = ("grade", "planes")
     faults = [

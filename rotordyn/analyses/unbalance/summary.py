@@ -40,12 +40,12 @@ def summary(result: UnbalanceResult) -> list[str]:
             strict=True,
         )
     ]
-    moved = [unbroken(f"{name} {word}") for name, word in _moved(result).items()]
+    moved = [unbroken(f"{name} {word}") for name, word in _amplitudes(result).items()]
     pushed = [
         unbroken(
             f"{name} {_endless(at)}"
             if np.isfinite(at)
-            else f"{name} {_peak(values, '.4g')} N{_at(result, values)}"
+            else f"{name} {_peak(values, '.4g')} N{_at_speed(result, values)}"
         )
         if np.isfinite(values).any()
         else f"{name} not determined"  # a rigid rotor on redundant rigid supports
@@ -58,7 +58,7 @@ def summary(result: UnbalanceResult) -> list[str]:
     ]
     turns = "" if result.speed_ratio == 1.0 else f" on {result.rotor}, at its speed"
     return [
-        f"unbalance  {', '.join(acting)}{turns}{_graded(result)}",
+        f"unbalance  {', '.join(acting)}{turns}{_grade(result)}",
         f"           largest half axis of the orbit, zero to peak: {', '.join(moved)}",
         f"           largest force, zero to peak: {', '.join(pushed)}",
         *_backward(result),
@@ -66,7 +66,7 @@ def summary(result: UnbalanceResult) -> list[str]:
     ]
 
 
-def _graded(result: UnbalanceResult) -> str:
+def _grade(result: UnbalanceResult) -> str:
     """Return text if a balance grade is for another speed than the highest of the case."""
     top = float(result.speed[-1])
     if result.grade_speed == 0.0 or abs(result.grade_speed - top) <= SAME * top:
@@ -90,11 +90,11 @@ def numbers(result: UnbalanceResult, _: Described) -> Iterator[Number]:
             yield Number(f"{name} {run}", MICROMETRE.unit, size * MICROMETRE.factor, digits=2)
 
 
-def _moved(result: UnbalanceResult) -> dict[str, str]:
+def _amplitudes(result: UnbalanceResult) -> dict[str, str]:
     """Return by point the text of the largest half axis and its speed."""
     return {
         name: _unbounded(result, place)
-        or f"{_peak(values * MICROMETRE.factor, '.4g')} µm{_at(result, values)}"
+        or f"{_peak(values * MICROMETRE.factor, '.4g')} µm{_at_speed(result, values)}"
         for place, (name, values) in enumerate(
             zip(result.point, result.fine_major_axis.T, strict=True)
         )
@@ -115,7 +115,7 @@ def _peak(values: Array, form: str) -> str:
     return format(float(np.nanmax(values)), form)
 
 
-def _at(result: UnbalanceResult, values: Array) -> str:
+def _at_speed(result: UnbalanceResult, values: Array) -> str:
     return f" at {result.fine_speed[int(np.nanargmax(values))] * RPM.factor:.0f} rpm"
 
 
@@ -176,7 +176,7 @@ def warnings(result: UnbalanceResult) -> list[str]:
     sentences = [*beyond_tangents("unbalance", *curves)]
     sentences += _films(result)
     sentences += _hardly_damped(result)
-    sentences += _of_runs(result)
+    sentences += _run_warnings(result)
     worst = float(result.error.max(initial=0.0))  # NaN without a finer model
     if worst > result.error_asked:
         point = result.point[int(result.error.argmax())]
@@ -187,7 +187,7 @@ def warnings(result: UnbalanceResult) -> list[str]:
     return sentences
 
 
-def _of_runs(result: UnbalanceResult) -> Iterator[str]:
+def _run_warnings(result: UnbalanceResult) -> Iterator[str]:
     """Yield warnings of runs without a solution, beyond tangents, inaccurate, or unstable."""
     for name, why in zip(result.run, result.run_outcome, strict=True):
         if why:

@@ -30,7 +30,7 @@ def answer(scene: Scene, spec: WarmUpSpec) -> WarmUpResult:
     """
     heat = scene.conditions.heat_flow
     assert heat is not None, "a fault of the case"
-    begin, speed = _begin(scene, spec, heat.flow), scene.speed
+    begin, speed = _initial(scene, spec, heat.flow), scene.speed
     surroundings_at = over_time(spec, heat.flow)
 
     def run(steps: int) -> Warming:
@@ -43,6 +43,7 @@ def answer(scene: Scene, spec: WarmUpSpec) -> WarmUpResult:
         coarse, steps = fine, 2 * steps
         fine = run(steps)
         through, coarse_through = (np.array(history.ending) == "" for history in (fine, coarse))
+        # the finer run has every instant of the coarser one
         change = np.abs(fine.temperature[through, ::2] - coarse.temperature[through])
         error = float(np.nanmax(change, initial=0.0))  # runaway has no bound
         end, coarse_end = (history.time[history.last] for history in (fine, coarse))
@@ -61,7 +62,7 @@ def _watch(scene: Scene, steps: int) -> Callable[[int], None]:
     return watch
 
 
-def _begin(scene: Scene, spec: WarmUpSpec, flow: Flow) -> Begin:
+def _initial(scene: Scene, spec: WarmUpSpec, flow: Flow) -> Begin:
     at = cold(flow) if spec.start is None else np.full(3, spec.start)
     capacity = [
         [spec.balls or ball_capacity(seat.bearing), spec.inner, spec.outer]

@@ -167,5 +167,5 @@ def _overshoot(result: WarmUpResult) -> Iterator[str]:
 
 def _share(part: Array, whole: Array) -> Array:
     """Return the ratio of sizes (…, speeds, bearings); 0 where one is NaN, or ``whole`` is 0."""
-    known = np.isfinite(part) & (whole > 0.0)
-    return np.divide(part, whole, out=np.zeros_like(part), where=known)
+    valid = np.isfinite(part) & (whole > 0.0)
+    return np.divide(part, whole, out=np.zeros_like(part), where=valid)

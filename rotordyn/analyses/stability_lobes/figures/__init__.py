@@ -40,8 +40,8 @@ def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
     if len(result.cutting_speed) < 2:
         return
     depth, measured = (values * MILLIMETRE.factor for values in (result.depth, result.measured))
-    known = depth[np.isfinite(depth)]
-    top = HIGH * float(np.median(known)) if known.size else 1.0
+    finite = depth[np.isfinite(depth)]
+    top = HIGH * float(np.median(finite)) if finite.size else 1.0
     rpm = result.cutting_speed * RPM.factor
     look: dict[str, Any] = {"limits": (0.0, None), "least": LEAST_SPEEDS, "ceiling": top}
     yield Curve(LIMITS, "depth of cut", "mm", rpm, depth, **look)

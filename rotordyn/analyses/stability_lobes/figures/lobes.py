@@ -83,9 +83,9 @@ def lobes_figure(result: StabilityLobesResult, spec: StabilityLobesSpec) -> Figu
         upper.plot([], [], "^", color=GREY, ms=SIZE, mfc="none", label="deeper than drawn")
     upper.tick_params(labelbottom=False)
     _pockets(upper, result, marked, top)
-    _list(figure, result, marked)
-    _removal(upper, result, float(rpm[-1]))
-    _passing(upper, spec)
+    _pocket_list(figure, result, marked)
+    _removal_axis(upper, result, float(rpm[-1]))
+    _passing_axis(upper, spec)
     lower.plot(rpm, result.chatter, ".", ms=2.5, color=BLUE, label="chatter")
     lower.plot(rpm, result.mode_frequency, "_", ms=2.5, color=GREY, label="nearest mode")
     lower.set_ylim(0.0, float(np.nanmax(result.chatter, initial=1.0)) * ROOM)
@@ -170,7 +170,7 @@ def _pockets(axes: Axes, result: StabilityLobesResult, marked: Sequence[int], to
         )
 
 
-def _list(figure: Figure, result: StabilityLobesResult, marked: Sequence[int]) -> None:
+def _pocket_list(figure: Figure, result: StabilityLobesResult, marked: Sequence[int]) -> None:
     """Write speed and removal rate of the ``marked`` pockets at the foot of the figure."""
     if not marked:
         return
@@ -193,13 +193,13 @@ def _list(figure: Figure, result: StabilityLobesResult, marked: Sequence[int]) -
 
 def _height(depths: Sequence[Array]) -> float:
     """Return the highest depth drawn [mm]."""
-    known = np.concatenate([depth[np.isfinite(depth) & (depth > 0.0)] for depth in depths])
-    if not known.size:
+    finite = np.concatenate([depth[np.isfinite(depth) & (depth > 0.0)] for depth in depths])
+    if not finite.size:
         return 1.0
-    return float(min(ROOM * known.max(), HIGH * np.median(known)))
+    return float(min(ROOM * finite.max(), HIGH * np.median(finite)))
 
 
-def _passing(axes: Axes, spec: StabilityLobesSpec) -> None:
+def _passing_axis(axes: Axes, spec: StabilityLobesSpec) -> None:
     """Add a second axis of the tooth passing frequency, its label with cutter and workpiece."""
     scale = (1 if spec.turning else spec.teeth) / 60.0
 
@@ -222,12 +222,12 @@ def _passing(axes: Axes, spec: StabilityLobesSpec) -> None:
     second.tick_params(labelsize=FONT_SIZE)
 
 
-def _removal(axes: Axes, result: StabilityLobesResult, last: float) -> None:
+def _removal_axis(axes: Axes, result: StabilityLobesResult, last: float) -> None:
     """Add a second axis of the removal rate of a depth at the highest speed."""
-    known = np.isfinite(result.removal) & (result.depth > 0.0) & np.isfinite(result.depth)
-    if not known.any():
+    finite = np.isfinite(result.removal) & (result.depth > 0.0) & np.isfinite(result.depth)
+    if not finite.any():
         return
-    row = int(np.flatnonzero(known)[-1])
+    row = int(np.flatnonzero(finite)[-1])
     per_depth = result.removal[row] / result.depth[row] / result.cutting_speed[row]
     scale = per_depth * last / RPM.factor * REMOVAL.factor / MILLIMETRE.factor
     second = axes.secondary_yaxis(

@@ -55,14 +55,14 @@ def surface_figure(result: StabilityLobesResult) -> Figure:
             error[:, k] * MICROMETRE.factor
             for error in (result.surface_error_least, result.surface_error_most)
         )
-        _between(upper, rpm, least, most, f"{wall}-milled wall", WALLS[k], lines=lines)
+        _draw_range(upper, rpm, least, most, f"{wall}-milled wall", WALLS[k], lines=lines)
     for k, direction in enumerate(result.direction):
         motion = result.tip_vibration[:, k] * MICROMETRE.factor
         _draw(lower, rpm, motion, f"vibration in {direction}, peak to peak", WAYS[k], lines=lines)
     lower.set_ylim(0.0, None)
     upper.tick_params(labelbottom=False)
     for axes in (upper, lower):
-        _unstable(axes, rpm, ~result.cut_is_stable)
+        _shade_unstable(axes, rpm, ~result.cut_is_stable)
         speed_ticks(axes, float(rpm[-1]), low=axis_start(float(rpm[0]), float(rpm[-1])))
     top_legend(figure, upper, lower)
     depth, feed = (size * MILLIMETRE.factor for size in (result.planned_depth, result.planned_feed))
@@ -74,7 +74,7 @@ def surface_figure(result: StabilityLobesResult) -> Figure:
     )
 
 
-def _between(
+def _draw_range(
     axes: Axes, rpm: Array, least: Array, most: Array, label: str, look: Look, *, lines: bool
 ) -> None:
     """Draw a range over the depth of a wall, its largest amounts as a line or as marks."""
@@ -93,8 +93,8 @@ def _draw(axes: Axes, rpm: Array, y: Array, label: str, look: Look, *, lines: bo
         axes.plot(rpm, y, look["marker"], color=look["color"], ms=SIZE, label=label)
 
 
-def _unstable(axes: Axes, rpm: Array, lost: NDArray[np.bool_]) -> None:
-    """Shade speeds at which the cut is not stable or not solved, to half the next distance."""
+def _shade_unstable(axes: Axes, rpm: Array, lost: NDArray[np.bool_]) -> None:
+    """Shade speeds at which the cut is not stable or not solved, halfway to adjacent speeds."""
     edges = np.concatenate([rpm[:1], 0.5 * (rpm[1:] + rpm[:-1]), rpm[-1:]])
     label: str | None = "cut not stable, or not solved"
     for row in np.flatnonzero(lost):

@@ -47,7 +47,7 @@ def motion_figure(result: TimeResponseResult) -> Figure:
             axes.plot(result.time * 1e3, moved, label=name, **{**line_of(axis), "lw": 1.0})
         if result.bearing:
             axes.plot([], [], **LINEAR, label="linear bearings")
-        _name(axes, result, row, first=not k, last=k == len(points) - 1)
+        _label(axes, result, row, first=not k, last=k == len(points) - 1)
         if not column:
             axes.set_ylabel(f"{points[k]} [µm]", fontsize=FONT_SIZE)
     top_legend(figure, *panels)
@@ -72,7 +72,7 @@ def bearing_figure(result: TimeResponseResult) -> Figure:
         for look, k in enumerate(chosen):
             name, style = result.bearing[k], {**line_of(look), "lw": 1.0}
             axes.plot(result.time * 1e3, values[column][:, look], label=name, **style)
-        _name(axes, result, picked[column], first=not kind, last=kind == len(kinds) - 1)
+        _label(axes, result, picked[column], first=not kind, last=kind == len(kinds) - 1)
         if not column:
             axes.set_ylabel(f"{words} [N]", fontsize=FONT_SIZE)
     top_legend(figure, *panels)
@@ -91,7 +91,7 @@ def stop_figure(result: TimeResponseResult) -> Figure:
             if np.isfinite(gap).any():
                 axes.plot(result.time * 1e3, gap, label=name, **{**line_of(look), "lw": 1.0})
         axes.axhline(0.0, color=GREY, lw=0.8, label="closed below")
-        _name(axes, result, row, first=True, last=True)
+        _label(axes, result, row, first=True, last=True)
     panels[0].set_ylabel("gap of the end stop [µm]", fontsize=FONT_SIZE)
     top_legend(figure, *panels)
     return figure
@@ -110,7 +110,7 @@ def orbit_figure(result: TimeResponseResult) -> Figure:
         axes.plot(y, z, **{**line_of(0), "lw": 0.8})
         axes.plot([0.0], [0.0], "+", color=GREY)
         axes.set_aspect("equal", adjustable="datalim")
-        _name(axes, result, row, first=not k, last=False)
+        _label(axes, result, row, first=not k, last=False)
         axes.set_xlabel(f"{points[k]}, y [µm]", fontsize=FONT_SIZE)
         if not column:
             axes.set_ylabel("z [µm]", fontsize=FONT_SIZE)
@@ -128,7 +128,7 @@ def _panels(figure: Figure, rows: int, columns: int, gap: float = 8.0) -> list[A
     return [add_axes(figure, box) for box in boxes]
 
 
-def _name(axes: Axes, result: TimeResponseResult, row: int, *, first: bool, last: bool) -> None:
+def _label(axes: Axes, result: TimeResponseResult, row: int, *, first: bool, last: bool) -> None:
     """Write the speed above the first panel of a column, the time axis below the last."""
     if first:
         axes.set_title(f"{result.speed[row] * RPM.factor:.0f} rpm", fontsize=FONT_SIZE, pad=4.0)
