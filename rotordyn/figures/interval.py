@@ -70,8 +70,8 @@ def _chosen(held: Interval, order: Sequence[int]) -> list[int]:
     distinct = held.apart(order)
     for k in distinct:
         first.setdefault(held.number[k].partition(":")[0], k)
-    rest = [k for k in distinct if k not in first.values()]
-    return sorted([*first.values(), *rest][:PANELS])
+    others = [k for k in distinct if k not in first.values()]
+    return sorted([*first.values(), *others][:PANELS])
 
 
 def _tornado(axes: Axes, held: Interval, k: int) -> None:
@@ -125,9 +125,9 @@ def slopes_figure(held: Interval) -> Figure:
     axes.tick_params(labelsize=FONT_SIZE - 1.5)
     axes.grid(visible=False)
     for (i, j), value in np.ndenumerate(values[rows]):
-        light = "white" if abs(value) > 0.6 * top else "black"
-        words = f"{value:+.2f}" if abs(value) >= 0.005 else "0"
-        axes.text(j, i, words, ha="center", va="center", fontsize=FONT_SIZE - 1.5, color=light)
+        colour = "white" if abs(value) > 0.6 * top else "black"
+        text = f"{value:+.2f}" if abs(value) >= 0.005 else "0"
+        axes.text(j, i, text, ha="center", va="center", fontsize=FONT_SIZE - 1.5, color=colour)
     axes.set_title("relative change of a result over that of a number", fontsize=FONT_SIZE)
     return figure
 
@@ -185,9 +185,9 @@ def _band(axes: Axes, held: Interval, place: int, curve: Curve) -> None:
         (held.curve_hypotheses[rows], OVER_HYPOTHESES, GREY, 0.35),
         (held.curve_tolerances[rows], OVER_TOLERANCES, BLUE, 0.25),
     )
-    for ends, words, shade, alpha in bands:
+    for ends, label, colour, alpha in bands:
         x, (low, high) = held.x[rows], np.minimum(ends, FAR * curve.ceiling).T
-        look: dict[str, Any] = {"label": words, "color": shade, "alpha": alpha, "zorder": 1.2}
+        look: dict[str, Any] = {"label": label, "color": colour, "alpha": alpha, "zorder": 1.2}
         if len(x) == 1 or curve.dotted:
             _clip_above(axes, axes.vlines(x, low, high, lw=3.0, **look))
         else:

@@ -266,8 +266,8 @@ def _marks(sketch: Sketch, spindle: Spindle, size: float) -> list[Mark]:
         for mass in part.masses:
             height = _height(part, mass.x, rotor)
             _mass_symbol(sketch, mass, height, size)
-            words = f"{mass.name.replace('_', ' ')}\n{mass.mass:.3g} kg"
-            marks.append((mass.x * 1e3, height, words))
+            label = f"{mass.name.replace('_', ' ')}\n{mass.mass:.3g} kg"
+            marks.append((mass.x * 1e3, height, label))
         marks += [(joint.x * 1e3, 0.0, joint.name) for joint in part.joints]
     for name, (rotor, x) in spindle.places.items():
         height = _height(spindle.part(rotor), x, rotor)

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Solve = Callable[[Array], Complex]
-ROUNDS = 12
+ROUNDS = 12  # of refinement
 MOST_SAMPLES = 4000
 STEPS = 40  # of a root
 ROUNDED = 1e-12  # of an eigenvalue: a smaller imaginary part is rounding

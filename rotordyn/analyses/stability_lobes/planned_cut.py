@@ -61,12 +61,12 @@ def planned_cut(
         removal[stable] = operation.removal(speed, spec.cut.depth)[stable]
         if spec.cut.tangential_edge or spec.cut.radial_edge:
             kept = stable[place]
-            some = replace(limits, rows=limits.rows[kept], speed=limits.speed[kept])
+            part = replace(limits, rows=limits.rows[kept], speed=limits.speed[kept])
             sure = np.where(depth > SURE * spec.cut.depth, SURE, 1.0) * spec.cut.depth
-            chatters[place[kept]] = ~some.stable(operation.pushed, sure[kept])
+            chatters[place[kept]] = ~part.stable(operation.pushed, sure[kept])
             both = partial(operation.pushed, share=BOTH_WAYS)
-            planned = np.full(len(some.rows), spec.cut.depth)
-            chatters[place[kept]] |= ~some.stable(both, planned, FLIP)
+            planned = np.full(len(part.rows), spec.cut.depth)
+            chatters[place[kept]] |= ~part.stable(both, planned, FLIP)
         repeats = operation.planned.repeats  # in a revolution, and so in its frequency
         idle = repeats * len(operation.planned.idle)
         sharpest = _least_damping(tip.high_poles[limits.rows], repeats * limits.speed)

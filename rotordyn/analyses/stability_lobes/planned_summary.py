@@ -116,12 +116,12 @@ def warnings(result: StabilityLobesResult) -> list[str]:
             f"over the whole band of intervals and sources at {doubtful.size} of {stable.size} "
             f"speeds, first at {_milling_rpm(result, int(doubtful[0]))}"
         )
-    pushed = np.flatnonzero(result.edges_chatter)
-    if pushed.size:
+    edges = np.flatnonzero(result.edges_chatter)
+    if edges.size:
         sentences.append(
             "stability_lobes: edge forces follow the vibration where chips begin or end with no "
-            f"thickness, and may let the planned cut chatter at {pushed.size} of {stable.size} "
-            f"speeds, first at {_milling_rpm(result, int(pushed[0]))}: vibration and surface are "
+            f"thickness, and may let the planned cut chatter at {edges.size} of {stable.size} "
+            f"speeds, first at {_milling_rpm(result, int(edges[0]))}: vibration and surface are "
             "not sure there; take less depth or more feed"
         )
     if result.idle_teeth:

@@ -40,8 +40,8 @@ def summary(result: StabilityLobesResult) -> list[str]:
     if not np.isfinite(result.depth).any():
         solved = ", where it is solved" if any(result.cutting_outcome) else ""
         none = f"chatter    no depth of cut is unstable at the speeds of the cutter{solved}"
-        rest = [*_band(result), *_motor(result), *planned_summary.summary(result)]
-        return [*_material(result), none, *rest]
+        further = [*_band(result), *_motor(result), *planned_summary.summary(result)]
+        return [*_material(result), none, *further]
     pockets = [
         unbroken(
             f"{in_mm(depth)} at {number(speed * RPM.factor, 0)} rpm "

@@ -104,8 +104,8 @@ class TipSums:
         real, imag = size - at**2, 2.0 * at * decay
         inverse = 1.0 / (real**2 + imag**2)
         slope, constant = 2.0 * residue.real, -2.0 * (residue * self.pole[rows].conj()[..., None])
-        both = np.concatenate([slope, constant.real], axis=-1)
-        values = ((inverse * real) @ both) + 1j * ((inverse * imag) @ both)
+        coefficients = np.concatenate([slope, constant.real], axis=-1)
+        values = ((inverse * real) @ coefficients) + 1j * ((inverse * imag) @ coefficients)
         values = values[..., : slope.shape[-1]] * (1j * at) + values[..., slope.shape[-1] :]
         square = np.cumprod(np.where(np.arange(TERMS // 2) > 0, at**2, 1.0), axis=-1)
         even, odd = (np.moveaxis(self.tail[k::2, rows], 0, 1) for k in (0, 1))

@@ -55,8 +55,8 @@ class Bearings:
         for state, seats in by_model.values():
             columns = np.array([placed[seat][1] for seat in seats])
             chosen = state.rows(np.ix_(rows, columns))
-            twice = np.repeat(chosen.displacement[:, :, None], PLACES, axis=2)
-            balls = settled(chosen.operation.at(twice), full_assembly)
+            repeated = np.repeat(chosen.displacement[:, :, None], PLACES, axis=2)
+            balls = settled(chosen.operation.at(repeated), full_assembly)
             states.append((seats, chosen))
             near.append(balls)
             displacement[:, seats], load[:, seats] = chosen.displacement, balls.load[:, :, 0]

@@ -226,10 +226,10 @@ class _Newton:
 
     def start(self, moved: Array) -> Array:
         """Return nonlinear forces (s, r) at the initial displacements ``moved`` (s, r)."""
-        twice = np.repeat(moved[:, None], 2, axis=1)
-        force, _, exists = self._evaluate(twice.reshape(self._last.shape))
+        repeated = np.repeat(moved[:, None], 2, axis=1)
+        force, _, exists = self._evaluate(repeated.reshape(self._last.shape))
         self._alive &= exists
-        self._last = np.where(exists[:, None], twice.reshape(self._last.shape), 0.0)
+        self._last = np.where(exists[:, None], repeated.reshape(self._last.shape), 0.0)
         return np.where(exists[:, None], force[:, : moved.shape[1]], 0.0)
 
     def balance(self, trial: Array, force: Array) -> tuple[Array, Flags]:

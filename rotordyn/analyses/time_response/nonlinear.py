@@ -56,6 +56,6 @@ class Nonlinear:
         slope[:, :, ring[:, :, None], ring[:, None]] = balls.slope
         force = balls.force.reshape(of_rings.shape)
         if sleeve.size:
-            pushed, slope[:, :, sleeve, sleeve] = self.stops.forces(of_sleeves)
-            force = np.concatenate([force, pushed], axis=-1)
+            stop_forces, slope[:, :, sleeve, sleeve] = self.stops.forces(of_sleeves)
+            force = np.concatenate([force, stop_forces], axis=-1)
         return Evaluation(force, slope, balls.exists, replace(self, bearings=balls.bearings))

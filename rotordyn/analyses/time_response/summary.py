@@ -24,7 +24,7 @@ def summary(result: TimeResponseResult) -> Iterator[str]:
     """Yield lines for the first and the last speed with a motion."""
     rows = np.flatnonzero(np.isfinite(result.ended))
     for row in dict.fromkeys([*rows[:1].tolist(), *rows[-1:].tolist()]):
-        moved = [
+        displacements = [
             unbroken(
                 f"{name} {result.largest[row, k] * MICROMETRE.factor:.4g} µm at "
                 f"{result.largest_time[row, k] * MILLISECOND.factor:.5g} ms"
@@ -32,16 +32,16 @@ def summary(result: TimeResponseResult) -> Iterator[str]:
             )
             for k, name in enumerate(result.point)
         ]
-        pushed = [
+        loads = [
             unbroken(
                 f"{name} {result.peak_load[row, k]:.4g} N, "
                 f"{result.peak_pressure[row, k] * GIGAPASCAL.factor:.3g} GPa"
             )
             for k, name in enumerate(result.bearing)
         ]
-        yield f"over time  {_rpm(result, row)}, largest displacement: {', '.join(moved)}"
-        if pushed:
-            yield f"           largest load and contact pressure: {', '.join(pushed)}"
+        yield f"over time  {_rpm(result, row)}, largest displacement: {', '.join(displacements)}"
+        if loads:
+            yield f"           largest load and contact pressure: {', '.join(loads)}"
         stops = [
             unbroken(f"{name} {force:.4g} N" if force > 0.0 else f"{name} stays open")
             for name, force in zip(result.sleeve, result.stop_force[row], strict=True)

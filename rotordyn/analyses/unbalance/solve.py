@@ -80,7 +80,7 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
     fine, (fine_motion, fine_forces, fine_apart) = _sampled(scene, spec, ratio, critical)
     undefined = np.isin(fine, scene.speed[scene.usable][~is_steady])
     fine_motion[undefined] = fine_forces[undefined] = complex(np.nan, np.nan)
-    unbounded = [mode.speed for mode in critical if abs(mode.damping_ratio) <= UNDAMPED]
+    unbounded = [one.speed for one in critical if abs(one.damping_ratio) <= UNDAMPED]
     peaks, pushes = (
         _peaks(fine, orbit(values[..., 0], values[..., 1]).major, unbounded)
         for values in (fine_motion, fine_forces)
@@ -97,9 +97,9 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         speed=scene.speed,
         point=spec.points,
         axis=AXES,
-        support=tuple(each.name for each in spindle.connections),
+        support=tuple(link.name for link in spindle.connections),
         unbalance=tuple(load.name for load in loads),
-        critical=tuple(each.mode for each in critical),
+        critical=tuple(one.mode for one in critical),
         outcome=outcome,
         unstable=scene.scattered(np.any([part.growing.any(axis=1) for part in motions], axis=0)),
         displacement=displacement,
@@ -117,8 +117,8 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         unbalance_station=np.array([load.place.x for load in loads]),
         unbalance_size=np.array([abs(load.size) for load in loads]),
         unbalance_angle=np.array([np.angle(load.size) for load in loads]),
-        critical_speed=np.array([each.speed for each in critical]),
-        critical_damping=np.array([each.damping_ratio for each in critical]),
+        critical_speed=np.array([one.speed for one in critical]),
+        critical_damping=np.array([one.damping_ratio for one in critical]),
         error=error,
         error_asked=response_accuracy(scene),
         fine_speed=fine,
@@ -130,7 +130,7 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         force_unbounded=_first_unbounded(pushes),
         film_orbit=_film_orbits(spindle, fine, ratio, fine_force),
         film_ratio=np.array(
-            [getattr(each, "eccentricity_ratio", np.nan) for each in spindle.connections]
+            [getattr(link, "eccentricity_ratio", np.nan) for link in spindle.connections]
         ),
         resonance=np.arange(1, peaks.shape[-1] + 1),
         peak_speed=peaks[0],
@@ -160,8 +160,8 @@ def _response(spec: UnbalanceSpec, ratio: float, scene: Scene) -> list[NDArray[A
     speed, subsystems = ratio * scene.speed[scene.usable], []
     for linear in map(scene.linear, out_of_balance(scene, spec)):
         motion = steady(scene, linear, spec, speed)
-        moved = displacements(scene, linear, spec, motion)
-        subsystems.append((moved, _forces(scene, linear, speed, motion)))
+        displacement = displacements(scene, linear, spec, motion)
+        subsystems.append((displacement, _forces(scene, linear, speed, motion)))
     parts = [np.sum(values, axis=0) for values in zip(*subsystems, strict=True)]
     if ratio < 0.0:  # e^(irΩt) as e^(i|r|Ωt)
         parts = [values.conj() for values in parts]
@@ -180,8 +180,8 @@ def _sampled(
         y, z = arrays[0][..., 0], arrays[0][..., 1]
         return np.concatenate([orbit(y, z).major, np.abs(y), np.abs(z)], axis=1)
 
-    speeds = np.array([each.speed for each in critical])
-    widths = speeds * np.abs([each.damping_ratio for each in critical])
+    speeds = np.array([one.speed for one in critical])
+    widths = speeds * np.abs([one.damping_ratio for one in critical])
     return over_speed(scene, partial(_response, spec, ratio), amplitude, speeds, widths)
 
 
@@ -209,7 +209,7 @@ def _rings(scene: Scene, spec: UnbalanceSpec, speed: Array) -> Complex:
     parts = [scene.linear(k) for k in out_of_balance(scene, spec)]
     motions = [steady(scene, part, spec, speed).moved for part in parts]
     pairs = zip(parts, motions, strict=True)
-    rows = [np.einsum("kdn,sn->skd", ring_rows(scene, part), moved) for part, moved in pairs]
+    rows = [np.einsum("kdn,sn->skd", ring_rows(scene, part), motion) for part, motion in pairs]
     return np.asarray(sum(rows))
 
 
@@ -253,10 +253,10 @@ def _absences(motions: FreeMotions, speed: Array) -> list[str]:
 
 def _outcome(scene: Scene, absent: list[str]) -> tuple[str, ...]:
     """Return for each speed why it has no steady solution, or no state, or ""."""
-    words = list(scene.outcome)
+    outcome = list(scene.outcome)
     for row, word in zip(scene.usable, absent, strict=True):
-        words[row] = word
-    return tuple(words)
+        outcome[row] = word
+    return tuple(outcome)
 
 
 def _criticals(scene: Scene, ratio: float) -> list[Critical]:
@@ -274,10 +274,10 @@ def _errors(scene: Scene, spec: UnbalanceSpec, ratio: float) -> Array:
         return np.full(len(spec.points), np.nan)
 
     def values(model: Scene, rows: Indices) -> Complex:
-        speed, moved = ratio * model.speed[model.usable[rows]], []
+        speed, parts = ratio * model.speed[model.usable[rows]], []
         for k in out_of_balance(model, spec):
             linear = model.linear(k, rows)
-            moved.append(displacements(model, linear, spec, steady(model, linear, spec, speed)))
-        return np.nan_to_num(np.sum(moved, axis=0))
+            parts.append(displacements(model, linear, spec, steady(model, linear, spec, speed)))
+        return np.nan_to_num(np.sum(parts, axis=0))
 
     return changes(scene, values, 1, AT_REST)

@@ -40,8 +40,8 @@ def summary(result: UnbalanceResult) -> list[str]:
             strict=True,
         )
     ]
-    moved = [unbroken(f"{name} {word}") for name, word in _amplitudes(result).items()]
-    pushed = [
+    orbits = [unbroken(f"{name} {word}") for name, word in _amplitudes(result).items()]
+    forces = [
         unbroken(
             f"{name} {_endless(at)}"
             if np.isfinite(at)
@@ -59,8 +59,8 @@ def summary(result: UnbalanceResult) -> list[str]:
     turns = "" if result.speed_ratio == 1.0 else f" on {result.rotor}, at its speed"
     return [
         f"unbalance  {', '.join(acting)}{turns}{_grade(result)}",
-        f"           largest half axis of the orbit, zero to peak: {', '.join(moved)}",
-        f"           largest force, zero to peak: {', '.join(pushed)}",
+        f"           largest half axis of the orbit, zero to peak: {', '.join(orbits)}",
+        f"           largest force, zero to peak: {', '.join(forces)}",
         *_backward(result),
         *_runs(result),
     ]
@@ -122,27 +122,27 @@ def _at_speed(result: UnbalanceResult, values: Array) -> str:
 def _backward(result: UnbalanceResult) -> list[str]:
     """Return the line of speeds with orbits against the spindle, as the rotor itself may turn."""
     at_rest = result.fine_major_axis == 0.0  # which has the sense of whirl of the next speed
-    back = -result.fine_minor_axis / np.where(at_rest, np.nan, result.fine_major_axis) - STRAIGHT
-    back[0] = np.where(at_rest[0], back[min(1, len(back) - 1)], back[0])
+    excess = -result.fine_minor_axis / np.where(at_rest, np.nan, result.fine_major_axis) - STRAIGHT
+    excess[0] = np.where(at_rest[0], excess[min(1, len(excess) - 1)], excess[0])
     words = []
-    for name, values in zip(result.point, back.T, strict=True):
+    for name, values in zip(result.point, excess.T, strict=True):
         ranges = [_from_to(*ends) for ends in above_zero(result.fine_speed, values)]
         words += [unbroken(f"{name} {' and '.join(ranges)}")] if ranges else []
-    way = "backward" if result.speed_ratio > 0.0 else "against the spindle"
-    return [f"           whirl {way}: {', '.join(words)}"] if words else []
+    sense = "backward" if result.speed_ratio > 0.0 else "against the spindle"
+    return [f"           whirl {sense}: {', '.join(words)}"] if words else []
 
 
 def _runs(result: UnbalanceResult) -> list[str]:
     """Return lines of the largest half axes of orbits and the largest forces on runs."""
     lines = list[str]()
     for k, name in enumerate(result.run):
-        moved = zip(
+        orbits = zip(
             result.point,
             result.run_peak[k] * MICROMETRE.factor,
             result.run_peak_speed[k],
             strict=True,
         )
-        pushed = zip(
+        forces = zip(
             result.support, result.run_force_peak[k], result.run_force_peak_speed[k], strict=True
         )
         words = [
@@ -151,7 +151,7 @@ def _runs(result: UnbalanceResult) -> list[str]:
                 for part, size, speed in values
                 if np.isfinite(size)
             )
-            for values, unit in ((moved, MICROMETRE.unit), (pushed, "N"))
+            for values, unit in ((orbits, MICROMETRE.unit), (forces, "N"))
         ]
         text = "; ".join(filter(None, words)) or "no solution"
         lines.append(f"{'' if lines else 'run':<10} {name}: {text}")

@@ -107,8 +107,8 @@ def _result(
     place = np.nan_to_num(size, nan=-1.0).argmax(axis=1)
     largest = np.take_along_axis(size, place[:, None], axis=1)[:, 0]
     balance, last = scene.heat_balance, scene.unloaded
-    words = [hot or why for hot, why in zip(balance.outcome, last.outcome, strict=True)]
-    balanced = np.array([word == "" for word in words])[:, None]
+    causes = [hot or why for hot, why in zip(balance.outcome, last.outcome, strict=True)]
+    balanced = np.array([word == "" for word in causes])[:, None]
     reached = [balance.temperatures.bearings[seat.name] for seat in seats]
     steady = {
         f"steady_{name}_temperature": np.where(balanced, np.array(values).T, np.nan)
@@ -138,6 +138,6 @@ def _result(
         largest_time=np.where(np.isnan(largest), np.nan, run.time[place]),
         steady_load=np.where(balanced, last.seat_load(), np.nan),
         **steady,
-        unbalanced=tuple(words),
+        unbalanced=tuple(causes),
         error=error,
     )

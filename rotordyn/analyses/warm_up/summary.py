@@ -26,7 +26,7 @@ def summary(result: WarmUpResult) -> list[str]:
             continue
         last, load = _last(result, row), result.axial_load[row]
         most = np.searchsorted(result.time, result.largest_time[row])
-        words = ", ".join(
+        loads = ", ".join(
             unbroken(
                 f"{name} {load[0, k]:.0f} → {load[most[k], k]:.0f} "
                 f"({in_words(result.largest_time[row, k])}) → {load[last, k]:.0f}"
@@ -35,7 +35,7 @@ def summary(result: WarmUpResult) -> list[str]:
         )
         lines.append(
             f"warm-up    at {_rpm(result, row)}, axial load [N] at the start, largest, after "
-            f"{in_words(result.time[last])}: {words}"
+            f"{in_words(result.time[last])}: {loads}"
         )
         lines.append(f"           {_hottest(result, row)}")
     return lines

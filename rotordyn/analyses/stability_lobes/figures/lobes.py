@@ -53,9 +53,9 @@ def lobes_figure(result: StabilityLobesResult, spec: StabilityLobesSpec) -> Figu
     figure = new_figure(168.0, 128.0 + foot)
     upper = add_axes(figure, (15.0, 47.0 + foot, 135.0, 66.0), "", "depth of cut [mm]")
     lower = add_axes(figure, (15.0, 11.0 + foot, 135.0, 30.0), "speed [rpm]", "chatter [Hz]")
-    depth, rest = (limit * MILLIMETRE.factor for limit in (result.depth, result.at_rest))
+    depth, at_rest = (limit * MILLIMETRE.factor for limit in (result.depth, result.at_rest))
     tested, even = result.measured * MILLIMETRE.factor, result.even * MILLIMETRE.factor
-    top = _height([depth, rest, tested, even])
+    top = _height([depth, at_rest, tested, even])
     if banded(result):
         _band(upper, result, rpm, top, lines=lines)
     if lines:
@@ -64,7 +64,7 @@ def lobes_figure(result: StabilityLobesResult, spec: StabilityLobesSpec) -> Figu
     upper.set_ylim(0.0, top)
     draw = partial(_draw, upper, rpm, lines=lines)
     draw(depth, "at every speed's own receptance", {}, color=BLUE, lw=1.2)
-    draw(rest, "by the receptance at rest", {"marker": "x"}, color=GREY, lw=1.0, ls="--")
+    draw(at_rest, "by the receptance at rest", {"marker": "x"}, color=GREY, lw=1.0, ls="--")
     if np.isfinite(tested).any():
         marks = {"marker": "+", "ms": 4.5}
         draw(tested, MEASURED, marks, color=BLACK, lw=1.0, ls=":")
@@ -79,7 +79,7 @@ def lobes_figure(result: StabilityLobesResult, spec: StabilityLobesSpec) -> Figu
         shown = np.where(np.array(result.loss) == kind, depth, np.nan)
         if not np.isnan(shown).all():
             draw(shown, REPEATING[kind], {}, color=colour, lw=2.0, ls=line)
-    if not lines and any((limit > top).any() for limit in (depth, rest, tested, even)):
+    if not lines and any((limit > top).any() for limit in (depth, at_rest, tested, even)):
         upper.plot([], [], "^", color=GREY, ms=SIZE, mfc="none", label="deeper than drawn")
     upper.tick_params(labelbottom=False)
     _pockets(upper, result, marked, top)

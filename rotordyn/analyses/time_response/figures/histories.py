@@ -63,18 +63,18 @@ def bearing_figure(result: TimeResponseResult) -> Figure:
     kinds = {"radial load": np.hypot(load[..., 1], load[..., 2])}
     kinds["axial load towards +x"] = load[..., 0]
     least = ROUNDING * np.nanmax(np.abs(load))
-    kinds = {words: each for words, each in kinds.items() if np.nanmax(np.abs(each)) >= least}
+    kinds = {label: each for label, each in kinds.items() if np.nanmax(np.abs(each)) >= least}
     figure = new_figure(168.0, ROW * len(kinds) + 22.0)
     panels = _panels(figure, len(kinds), picked.size)
     for place, axes in enumerate(panels):
         kind, column = divmod(place, picked.size)
-        words, values = [*kinds.items()][kind]
+        label, values = [*kinds.items()][kind]
         for look, k in enumerate(chosen):
             name, style = result.bearing[k], {**line_of(look), "lw": 1.0}
             axes.plot(result.time * 1e3, values[column][:, look], label=name, **style)
         _label(axes, result, picked[column], first=not kind, last=kind == len(kinds) - 1)
         if not column:
-            axes.set_ylabel(f"{words} [N]", fontsize=FONT_SIZE)
+            axes.set_ylabel(f"{label} [N]", fontsize=FONT_SIZE)
     top_legend(figure, *panels)
     return figure
 
