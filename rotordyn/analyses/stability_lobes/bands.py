@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 Rows = NDArray[np.intp]
 LEAST, MOST = 2, 64  # parts of half the interval of stiffness
 PER_LOBE = 16.0  # parts of the whole interval for every lobe that passes
-PER_PEAK = 0.5  # parts of half the interval, over its share by the damping ratio of a peak
+PER_PEAK = 0.5  # parts of half the interval, by its share over the damping ratio of a peak
 HALVINGS = 3  # of a step next to the least limit
 
 

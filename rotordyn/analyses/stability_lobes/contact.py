@@ -1,8 +1,8 @@
 """Nonlinear part of the cutting forces: the vibration itself moves the ends of contact.
 
 Every tooth cuts down to the surface that the deepest of the previous teeth left, with the motion of
-the tip since then; where that thickness is below 0 it cuts nothing. The linear part are forces of
-the chips of a rigid machine, with the vibration since one tooth; this module gives the rest.
+the tip since then; where that thickness is below 0 it cuts nothing. The linear part has the chips
+of a rigid machine, and the vibration since one tooth; this module gives the rest.
 
 Theory: docs/theory/lobes.md.
 """

@@ -23,7 +23,7 @@ STEPS = 40  # of a root
 ROUNDED = 1e-12  # of an eigenvalue: a smaller imaginary part is rounding
 REAL = 1e-6  # as ROUNDED, at an end, where eigenvalues may be double and err more
 CLOSE = 1e-8  # of an eigenvalue: tolerance of the imaginary part of a root
-SAME = 0.05  # relative error of linear interpolation at a crossing that is known
+SAME = 0.05  # relative tolerance of the interpolated value at a known crossing
 FAR = 0.9  # rad: largest phase step between samples
 DEPTHS = 48  # at which unstable multipliers are counted
 RANGE = 30.0  # from the least depth at which anything could be unstable
@@ -104,8 +104,8 @@ def _root(solve: Solve, angle: Array, low: complex, high: complex) -> Crossing:
     side = 0
     weights = [1.0, 1.0]
     for _ in range(STEPS):
-        left, right = low.imag * weights[0], high.imag * weights[1]
-        share = min(max(left / (left - right), 1e-3), 1.0 - 1e-3)
+        imag_low, imag_high = low.imag * weights[0], high.imag * weights[1]
+        share = min(max(imag_low / (imag_low - imag_high), 1e-3), 1.0 - 1e-3)
         middle = a + share * (b - a)
         guess = low + (middle - a) / (b - a) * (high - low)
         values = solve(np.array([middle]))[0]

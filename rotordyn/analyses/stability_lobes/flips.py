@@ -109,7 +109,7 @@ def _least(
 
 class _Steps(NamedTuple):
     """Steps between speeds [rad/s] (s,) that may miss period doubling by one mode, of frequency
-    ``hertz`` (s,), which makes ``waves`` (s,) while the teeth ``turn`` [rad] by their period;
+    ``hertz`` (s,), which makes ``waves`` (s,) in a tooth period, of the angle ``turn`` [rad];
     ``wide`` (s − 1,): which steps may."""
 
     speed: Array

@@ -130,12 +130,12 @@ def sampled_limit(receptance: Receptance, near: Array, top: float, process: Proc
             f"allowed of a receptance that is no sum of modes: from 1/{MOST_INTERRUPTED:g}: raise "
             "the immersion, or leave the loss factor out"
         )
-    angle, unlimited = folded(near, process.period), receptance
+    angle, unclamped = folded(near, process.period), receptance
     if not process.cut.even:  # vibration may repeat with the teeth, at a phase of 0
         angle = np.concatenate([[REPEATING], np.geomspace(SLOW, angle[0], SLOWER)[:-1], angle])
 
         def receptance(omega: Array) -> Complex:  # infinite at 0 with rigid-body modes
-            return unlimited(np.maximum(omega, LOWEST))
+            return unclamped(np.maximum(omega, LOWEST))
 
     if process.lag > 0.0:
         return with_helix(process, top, receptance, angle)

@@ -50,8 +50,8 @@ def zero_order(
     chord, highest = np.abs(high - low), np.maximum(low.real, high.real)
     with np.errstate(divide="ignore", invalid="ignore"):
         crossing = low.real + low.imag / (low.imag - high.imag) * (high.real - low.real)
-        slope = chord / np.abs(low.imag - high.imag)  # the flatter, the farther a bulge reaches
-        bound = np.minimum(crossing + BULGE * chord * slope, highest + BULGE * chord)
+        flatness = chord / np.abs(low.imag - high.imag)  # the flatter, the farther a bulge reaches
+        bound = np.minimum(crossing + BULGE * chord * flatness, highest + BULGE * chord)
     bound = np.where(low.imag * high.imag < 0.0, bound, 0.0).reshape(len(z), -1)
     order, rows = np.argsort(-bound, axis=1), np.arange(len(z))[:, None]
     value, at = LEAST * np.abs(z).max(axis=(1, 2)), np.full(len(z), np.nan)
