@@ -1,1 +1,1 @@
-"""What the figures of all analyses share: style, curves, legends, the half-section."""
+"""Shared parts of the figures of all analyses: style, curves, legends, the half-section."""

@@ -16,7 +16,7 @@ DECADES = 6.0  # of an axis, at most
 
 
 def wrapped_phase(phase: Array) -> Array:
-    """``phase`` [deg] without a point where it wraps, so that no line is drawn there."""
+    """Return ``phase`` [deg], NaN where it wraps, so that no line is drawn there."""
     jumps = np.flatnonzero(np.abs(np.diff(phase)) > 270.0) + 1
     broken = phase.copy()
     broken[jumps] = np.nan
@@ -24,14 +24,14 @@ def wrapped_phase(phase: Array) -> Array:
 
 
 def phase_axis(axes: Axes) -> None:
-    """From −180 to 180 deg, ticks at every quarter of a turn."""
+    """Set an ordinate from −180 to 180 deg with ticks at every quarter of a turn."""
     axes.set_ylim(-190.0, 190.0)
     axes.set_yticks([-180.0, -90.0, 0.0, 90.0, 180.0])
 
 
 def log_axis(axes: Axes) -> None:
-    """A logarithmic scale with few round ticks and no superscripts, unless all that is drawn is
-    zero."""
+    """Set a logarithmic ordinate with few round ticks and no superscripts, unless all values drawn
+    are zero."""
     from matplotlib.ticker import NullFormatter, NullLocator
 
     drawn = [np.asarray(line.get_ydata(), float) for line in axes.get_lines()]
@@ -47,10 +47,10 @@ def log_axis(axes: Axes) -> None:
 
 
 def decades(axes: Axes, highest: float = np.inf) -> None:
-    """A logarithmic axis over what is drawn up to ``highest``, a few decades of it."""
-    known = np.concatenate([np.asarray(line.get_ydata(), float) for line in axes.get_lines()])
-    known = known[np.isfinite(known) & (known <= highest)]
-    if known.size:
-        high = 1.6 * float(known.max())
-        axes.set_ylim(max(0.6 * float(known.min()), high / 10.0**DECADES), high)
+    """Set a logarithmic ordinate over a few decades of the values drawn, up to ``highest``."""
+    values = np.concatenate([np.asarray(line.get_ydata(), float) for line in axes.get_lines()])
+    values = values[np.isfinite(values) & (values <= highest)]
+    if values.size:
+        high = 1.6 * float(values.max())
+        axes.set_ylim(max(0.6 * float(values.min()), high / 10.0**DECADES), high)
         log_axis(axes)

@@ -1,4 +1,4 @@
-"""A figure that a notebook shows by itself, whether or not pyplot is loaded."""
+"""Figure that notebooks show, with or without pyplot."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from matplotlib.figure import Figure
 
 
 class ShownFigure(Figure):
-    """A matplotlib figure of no window, with a picture for notebooks."""
+    """A matplotlib figure without a window, with a PNG picture for notebooks."""
 
     def _repr_png_(self) -> bytes:
-        held = io.BytesIO()
-        self.savefig(held, format="png", dpi=self.dpi)
-        return held.getvalue()
+        buffer = io.BytesIO()
+        self.savefig(buffer, format="png", dpi=self.dpi)
+        return buffer.getvalue()

@@ -1,4 +1,4 @@
-"""Curves of variants by the panel in which they lie over one another, and how they differ."""
+"""Curves of variants grouped by panel, and their differences from the first variant."""
 
 from __future__ import annotations
 
@@ -14,22 +14,22 @@ from rotordyn.results.kinds import Array
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-BEYOND = "beyond the axis"  # of triangles at its edge
-ALIKE = 1e-9  # of the largest value: no difference
+BEYOND = "beyond the axis"  # label of triangles at its edge
+ALIKE = 1e-9  # of the largest value: smaller differences are none
 
 
 class Layer(NamedTuple):
-    """A curve of the variant at a ``place``."""
+    """A curve of the variant at index ``place``."""
 
     place: int
     curve: Curve
 
 
 class Group(NamedTuple):
-    """What one panel shows.
+    """Curves of one panel.
 
-    ``layers`` of all variants; their ``changes`` against the first one, none where all are alike;
-    the ``backdrop`` that is the same for all.
+    ``layers`` of all variants; their ``changes`` from the first one, none if all are equal; the
+    ``backdrop`` that is the same for all.
     """
 
     layers: Sequence[Layer]
@@ -38,22 +38,22 @@ class Group(NamedTuple):
 
     @property
     def first(self) -> Curve:
-        """The curve by which the panel is labelled."""
+        """Curve that gives the labels of the panel."""
         return self.layers[0].curve
 
     @property
     def ceiling(self) -> float:
-        """Above it values lie beyond the axis."""
+        """Largest value on the axis; curves above it are cut off."""
         return max(layer.curve.ceiling for layer in self.layers)
 
     @property
     def known(self) -> set[Known]:
-        """The references that are shown beside its curves."""
+        """References that are drawn with the curves."""
         return {layer.curve.known for layer in self.layers if layer.curve.known}
 
 
 def groups_of(sets: Sequence[Sequence[Curve]]) -> list[Group]:
-    """The curves of every variant by panel, label, title and abscissa, in the order of these."""
+    """Group the curves of all variants by panel, label, title and abscissa, in order."""
     layers: dict[tuple[str, ...], list[Layer]] = {}
     behind: dict[tuple[str, ...], list[Curve]] = {}
     for place, curves in enumerate(sets):
@@ -67,8 +67,8 @@ def groups_of(sets: Sequence[Sequence[Curve]]) -> list[Group]:
 
 
 def limit_ordinate(axes: Axes, curve: Curve) -> None:
-    """Scale and limits of the ordinate that a curve asks for; room above where it gives the bottom
-    alone."""
+    """Set scale and limits of the ordinate given by a curve; with a lower limit only, leave room
+    at the top."""
     if curve.log:
         log_axis(axes)
     bottom, top = curve.limits
@@ -78,7 +78,7 @@ def limit_ordinate(axes: Axes, curve: Curve) -> None:
 
 
 def _changes(layers: Sequence[Layer]) -> list[Layer]:
-    """The curves of further variants less those of the first; none where all are alike."""
+    """Return the curves of further variants minus those of the first; none if all are equal."""
     ceiling = max(curve.ceiling for _, curve in layers)
     base = {c.key or c.series: c for place, c in layers if place == 0}
     changes = []
@@ -94,7 +94,7 @@ def _changes(layers: Sequence[Layer]) -> list[Layer]:
 
 
 def _change(curve: Curve, first: Curve, ceiling: float) -> Curve:
-    """A curve less the first one; its axis holds differences of what lies within theirs."""
+    """Return a curve minus the first one; its ceiling is that of differences within theirs."""
     with np.errstate(invalid="ignore"):
         change = curve.y - first.y
     if np.isinf(ceiling):

@@ -1,4 +1,4 @@
-"""Draw many figures at once: one more process shares the list where the machine allows it."""
+"""Draw many figures at once, shared with another process if the machine allows it."""
 
 from __future__ import annotations
 
@@ -25,18 +25,18 @@ if TYPE_CHECKING:
 
 Job = tuple[str, "Callable[[], Figure]"]
 _MOST = 255
-_OF_THE_BAR = "rich.live"  # whose thread locks nothing that drawing needs
+_OF_THE_BAR = "rich.live"  # its thread holds no lock that drawing needs
 
 
 @dataclass(frozen=True, slots=True)
 class Omitted:
-    """``figures``, or files, that were not made -> why, and the sentence the user reads of it."""
+    """``figures``, or files, that were not made, with the reason; ``sentences`` for the user."""
 
     figures: dict[str, str] = field(default_factory=dict)
     sentences: tuple[str, ...] = ()
 
     def __or__(self, other: Omitted) -> Omitted:
-        """What either of the two lacks."""
+        """Return the omissions of both."""
         sentences = dict.fromkeys((*self.sentences, *other.sentences))
         return Omitted(self.figures | other.figures, tuple(sentences))
 
@@ -44,24 +44,24 @@ class Omitted:
 class Pictures(Protocol):
     """Pictures that another process makes while figures are drawn; ``omitted`` after ``draw``.
 
-    A context: the process runs inside it.
+    It is a context, in which the process runs.
     """
 
     omitted: Omitted
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Of the figures, known before the process runs."""
+        """Names of the figures, known before the process runs."""
 
     @property
     def count(self) -> int:
-        """Of pictures, likewise."""
+        """Number of pictures, known before the process runs."""
 
     def figure(self, name: str) -> Figure:
-        """Wait for the pictures and draw one figure; InvalidInput where none can be made."""
+        """Wait for the pictures and draw one figure; InvalidInput if none can be made."""
 
     def draw(self, folder: Path, formats: Sequence[str]) -> dict[str, float]:
-        """Wait for them and write them in each of ``formats``; seconds by figure."""
+        """Wait for the pictures, write them in each of ``formats``; return seconds by figure."""
 
     def __enter__(self) -> Pictures: ...
 
@@ -69,12 +69,12 @@ class Pictures(Protocol):
 
 
 class Drawing:
-    """Figures being drawn. ``finish`` helps with the rest and returns seconds per figure.
+    """Figures being drawn by workers. ``finish`` draws the rest and returns seconds by figure.
 
-    A context, at whose end nobody draws any more.
+    It is a context, at whose end no worker draws any more.
 
-    The list is shared through a pipe that holds one byte per figure: whoever is free takes one. A
-    worker that fails leaves its figure to ``finish``, where the error then surfaces.
+    The list is shared through a pipe that holds one byte per figure: a free process takes one. A
+    worker that fails leaves its figure to ``finish``, where the error is then raised.
     """
 
     def __init__(
@@ -92,13 +92,13 @@ class Drawing:
         os.close(fill)
         count = min(workers, _processors(), len(self._jobs)) - 1 if _may_fork() else 0
         load(self._formats)
-        self._workers = [self._start() for _ in range(max(count, 0))]
+        self._workers = [self._fork() for _ in range(max(count, 0))]
 
     def __enter__(self) -> Drawing:
         return self
 
     def __exit__(self, *_: object) -> None:
-        """End workers that still draw: of an interrupted run, whose folder is removed next."""
+        """End workers that still draw, as after an interruption, whose folder is removed next."""
         for process, report in self._workers:
             with suppress(OSError):
                 os.kill(process, signal.SIGKILL)
@@ -107,8 +107,8 @@ class Drawing:
         self._queue.close()
 
     def finish(self) -> dict[str, float]:
-        """Draw what nobody has begun, wait for the others; seconds by figure, in order."""
-        seconds = self._work()
+        """Draw figures not yet begun, wait for the others; return seconds by figure, in order."""
+        seconds = self._draw_queued()
         self._queue.close()
         while self._workers:
             process, report = self._workers[0]
@@ -121,19 +121,19 @@ class Drawing:
                 seconds[name] = draw_one(name, draw, self._folder, self._formats)
         return {name: seconds[name] for name, _ in self._jobs}
 
-    def _work(self, report: int | None = None) -> dict[str, float]:
+    def _draw_queued(self, report: int | None = None) -> dict[str, float]:
         seconds = {}
         while taken := self._queue.read(1):
             if self._owner not in (os.getpid(), os.getppid()):
-                break  # whoever asked has been killed
+                break  # the process that started this worker is gone
             name, draw = self._jobs[taken[0]]
             seconds[name] = draw_one(name, draw, self._folder, self._formats)
             if report is not None:
                 os.write(report, (json.dumps([name, seconds[name]]) + "\n").encode())
         return seconds
 
-    def _start(self) -> tuple[int, BinaryIO]:
-        """Fork a worker; returns its process and the pipe it reports to."""
+    def _fork(self) -> tuple[int, BinaryIO]:
+        """Fork a worker; return its process and the pipe of its reports."""
         out, report = os.pipe()
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", DeprecationWarning)
@@ -144,21 +144,21 @@ class Drawing:
         status = 1
         try:
             os.close(out)
-            self._work(report)
+            self._draw_queued(report)
             status = 0
         finally:
             os._exit(status)
 
 
 def drawn(draw: Callable[[], Figure]) -> Figure:
-    """A figure as files show it; neither the caller's rcParams nor the backend matter or change."""
+    """Return a figure as in files; the caller's rcParams and backend have no effect and stay."""
     load()
     with own_settings():
         return finish(draw())
 
 
 def titled(draw: Callable[[], Figure], words: str) -> Figure:
-    """The figure that ``draw`` draws, with ``words`` at its top."""
+    """Return the figure that ``draw`` draws, with ``words`` at its top."""
     return head(draw(), words)
 
 
@@ -168,20 +168,20 @@ def draw_one(
     folder: Path,
     formats: Sequence[str] = USUAL_FORMATS,
 ) -> float:
-    """Draw and save one figure; returns the seconds it took."""
+    """Draw and save one figure; return the seconds it took."""
     start = time.perf_counter()
-    with own_settings(), warnings.catch_warnings(), _freed():
+    with own_settings(), warnings.catch_warnings(), _collected():
         warnings.filterwarnings("ignore", "Glyph")  # a title may hold letters that fonts lack, or $
         save(draw(), folder, name, formats)
     return time.perf_counter() - start
 
 
 @contextmanager
-def _freed() -> Iterator[None]:
-    """Free at the end what has been made inside: a figure is full of circles and holds its pixels.
+def _collected() -> Iterator[None]:
+    """Collect objects made inside at the end: a figure has many reference cycles and its pixels.
 
-    Whatever is older is frozen for the while, so that the collector need not look at it; nothing is
-    done where a caller has frozen objects, which could not be told from these.
+    Older objects are frozen meanwhile, so that the collector skips them. Nothing is done if a
+    caller has frozen objects, since ``gc.unfreeze`` would release these too.
     """
     if gc.get_freeze_count():
         yield
@@ -198,11 +198,11 @@ def load(formats: Sequence[str] = USUAL_FORMATS) -> None:
     """Import what every process needs before forking; the font list is then built only once.
 
     A backend that the user names in the environment is set as matplotlib does, but a name that it
-    does not know is not ours to judge: nothing is shown. What matplotlib has to say of the user's
-    settings, which we do not use, is not heard either.
+    does not know is ignored: nothing is shown. Messages of matplotlib about the settings of the
+    user, which are not used, are suppressed.
     """
     first = "matplotlib" not in sys.modules
-    with _without("MPLBACKEND") as backend, _quiet("matplotlib"):
+    with _without("MPLBACKEND") as backend, _silenced("matplotlib"):
         backends = [f"backends.backend_{ending}" for ending in formats if ending != "png"]
         for name in ("figure", "backends.backend_agg", "collections", *backends):
             import_module(f"matplotlib.{name}")
@@ -213,16 +213,16 @@ def load(formats: Sequence[str] = USUAL_FORMATS) -> None:
 
 @contextmanager
 def _without(variable: str) -> Iterator[str | None]:
-    held = os.environ.pop(variable, None)
+    value = os.environ.pop(variable, None)
     try:
-        yield held
+        yield value
     finally:
-        if held is not None:
-            os.environ[variable] = held
+        if value is not None:
+            os.environ[variable] = value
 
 
 @contextmanager
-def _quiet(name: str) -> Iterator[None]:
+def _silenced(name: str) -> Iterator[None]:
     logger = logging.getLogger(name)
     level = logger.level
     logger.setLevel(logging.ERROR)
@@ -233,13 +233,13 @@ def _quiet(name: str) -> Iterator[None]:
 
 
 def _may_fork() -> bool:
-    """Whether a process forked now would not wait for ever for locks that other threads hold."""
-    others = [each for each in threading.enumerate() if each is not threading.current_thread()]
+    """Return whether a fork is safe: no other thread may hold a lock that the child needs."""
+    others = [t for t in threading.enumerate() if t is not threading.current_thread()]
     return hasattr(os, "fork") and all(type(t).__module__ == _OF_THE_BAR for t in others)
 
 
 def _processors() -> int:
-    """Processors this process may use."""
+    """Return the number of processors that this process may use."""
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1

@@ -1,4 +1,4 @@
-"""Names of curves at the right edge of a panel, moved apart where these are close."""
+"""Names of curves at the right edge of a panel, spread where curves are close."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from rotordyn.figures.style import FONT_SIZE
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-NAMES = 24.0  # [mm] of room beside a panel
+NAMES = 24.0  # [mm]: width of names at the right of a panel
 SIZE = FONT_SIZE - 1.5
-LINE = 1.25 * SIZE * 25.4 / 72.0  # [mm] of a name
+LINE = 1.25 * SIZE * 25.4 / 72.0  # [mm]: height of a name
 
 
 class End(NamedTuple):
-    """Where a curve meets the right edge, its name and colour; ``whose``: the variant's place."""
+    """End of a curve at the right edge, its name and colour; ``whose``: index of its variant."""
 
     height: float
     name: str
@@ -28,17 +28,17 @@ class End(NamedTuple):
 
 
 def name_ends(axes: Axes, ends: Sequence[End], tall: float) -> None:
-    """Names beside a panel ``tall`` [mm], joined to their curves by leaders.
+    """Draw names at the right of a panel ``tall`` [mm], joined to their curves by leaders.
 
-    Curves of one variant that are closer than a line share a name. Where not all names fit, those
-    of the first variant that has any stand alone.
+    Curves of one variant that are closer than a line share a name. If not all names fit, only those
+    of the first variant that has any are drawn.
     """
     from matplotlib.collections import LineCollection
 
     low, high = axes.get_ylim()
     unit = (high - low) / tall
-    seen = [end for end in ends if low <= end.height <= high]
-    shared = _shared(seen, LINE * unit)
+    visible = [end for end in ends if low <= end.height <= high]
+    shared = _shared(visible, LINE * unit)
     if len(shared) * LINE > tall:
         first = min(end.whose for end in shared)
         shared = [end for end in shared if end.whose == first]
@@ -58,32 +58,32 @@ def name_ends(axes: Axes, ends: Sequence[End], tall: float) -> None:
         axes.text(right + 0.024 * frame, at, end.name, color=end.colour, **look)
 
 
-def _shared(ends: Sequence[End], near: float) -> list[End]:
-    """Neighbours of one variant with names that begin alike as one, from the lowest up."""
-    kept: list[list[End]] = []
+def _shared(ends: Sequence[End], distance: float) -> list[End]:
+    """Merge adjacent ends of one variant whose names begin with the same words, lowest first."""
+    groups: list[list[End]] = []
     for end in sorted(ends):
-        twins = [
+        matching = [
             group
-            for group in kept
+            for group in groups
             if group[0].whose == end.whose
-            and end.height - group[0].height < near
+            and end.height - group[0].height < distance
             and _root(end.name) == _root(group[0].name)
         ]
-        if twins:
-            twins[0].append(end)
+        if matching:
+            matching[0].append(end)
         else:
-            kept.append([end])
+            groups.append([end])
     return [
         group[0]._replace(
             height=float(np.mean([end.height for end in group])),
             name=joined(sorted(end.name for end in group)),
         )
-        for group in kept
+        for group in groups
     ]
 
 
 def joined(names: Sequence[str]) -> str:
-    """Names that differ in their last word as one.
+    """Join names that differ in their last word.
 
     >>> joined(["bending 1 bw", "bending 1 fw"])
     'bending 1 bw/fw'
@@ -93,5 +93,5 @@ def joined(names: Sequence[str]) -> str:
 
 
 def _root(name: str) -> str:
-    """All but the last word, with the blank."""
+    """Return all but the last word, with the trailing blank."""
     return name[: name.rfind(" ") + 1]

@@ -1,4 +1,4 @@
-"""How supports, housings and squeeze films are drawn on the half-section [mm]."""
+"""Symbols of supports, housings and squeeze films on the half-section [mm]."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ from rotordyn.surface.rotor import bearing_width
 
 
 def foot(spindle: Spindle) -> float:
-    """How far the ground is below the shaft."""
+    """Return the distance of the ground below the shaft [mm]."""
     return 0.02 * (spindle.shaft.end - spindle.shaft.start) * 1e3
 
 
 def held_radius(spindle: Spindle) -> float:
-    """Largest radius of all that holds the rotors, from the axis."""
+    """Return the largest radius of bearings, sleeves, films and housings [mm]."""
     radii = [outside_of(seat) for seat in spindle.seats]
     radii += [seat_top(spindle, seat) + 2.0 for seat in spindle.seats]
     radii += [_film_radius(spindle, film) + foot(spindle) for film in spindle.dampers]
@@ -38,20 +38,20 @@ def held_radius(spindle: Spindle) -> float:
 
 
 def seat_top(spindle: Spindle, seat: BearingSeat) -> float:
-    """Radius of the outside of a bearing, or of the sleeve over it."""
+    """Return the outer radius of a bearing, or of the sleeve over it [mm]."""
     sleeve = spindle.sleeve_of(seat.name)
     if sleeve is None:
         return outside_of(seat)
-    return sleeve_top(each for each in spindle.seats if each.name in sleeve.bearings)
+    return sleeve_top(other for other in spindle.seats if other.name in sleeve.bearings)
 
 
 def housed(spindle: Spindle, name: str) -> bool:
-    """A housing carries the bearing or support."""
+    """Return whether a housing carries the bearing or support."""
     return any(name in housing.carries for housing in spindle.housings)
 
 
 def housings_above(spindle: Spindle) -> dict[str, tuple[float, float, float]]:
-    """Left and right end and lower edge of the block over the bearings that a housing carries."""
+    """Return by housing left and right end and lower edge of the block over its bearings [mm]."""
     blocks = {}
     for housing in spindle.housings:
         seats = [seat for seat in spindle.seats if seat.name in housing.carries]
@@ -65,15 +65,15 @@ def housings_above(spindle: Spindle) -> dict[str, tuple[float, float, float]]:
 
 
 def draw_holders(sketch: Sketch, spindle: Spindle) -> None:
-    """Linear supports as a spring from a rotor down to the ground, rigid ones as a wedge; squeeze
-    films about their journal; housings as blocks on springs."""
+    """Draw linear supports as a spring from a rotor down to the ground, rigid ones as a wedge;
+    squeeze films about their journal; housings as blocks on springs."""
     unit = 0.1 * foot(spindle)
     for support in spindle.supports:
         x = support.x * 1e3
         if support.against != GROUND:
-            _between(sketch, spindle, support)
+            _link(sketch, spindle, support)
             continue
-        radius, ground = _outside(spindle, support), _ground(spindle, support)
+        radius, ground = _shaft_radius(spindle, support), _ground(spindle, support)
         if support.rigid:
             left, right = (x - 4.0 * unit, ground), (x + 4.0 * unit, ground)
             sketch.polygon([(x, -radius), left, right], "#FFFFFF", edge=BLUE)
@@ -90,7 +90,7 @@ def draw_holders(sketch: Sketch, spindle: Spindle) -> None:
 
 
 def gap(spindle: Spindle, support: LinearSupport) -> tuple[float, float]:
-    """Radii between which a support joins two rotors."""
+    """Return the radii between which a support joins two rotors [mm]."""
     ends = [spindle.part(end).shaft.diameters_at(support.x) for end in support.ends]
     (thin, _), (_, bore) = sorted(ends)
     low, high = thin * 500.0, bore * 500.0
@@ -100,7 +100,7 @@ def gap(spindle: Spindle, support: LinearSupport) -> tuple[float, float]:
 
 
 def lower_end(spindle: Spindle, support: LinearSupport) -> float:
-    """Lowest edge of what stands under a support on ground, or of the block of its housing."""
+    """Return the lower edge of the ground symbol of a support, or of the block of its housing."""
     unit = 0.1 * foot(spindle)
     for housing in spindle.housings:
         if support.name in housing.carries:
@@ -109,7 +109,7 @@ def lower_end(spindle: Spindle, support: LinearSupport) -> float:
 
 
 def _block(spindle: Spindle, housing: Housing) -> float:
-    """Lower edge of the block of a housing under the supports that it carries."""
+    """Return the lower edge of the block of a housing under its supports [mm]."""
     feet = [_ground(spindle, s) for s in spindle.supports if s.name in housing.carries]
     return min(feet) - 0.3 * foot(spindle)
 
@@ -120,7 +120,7 @@ def _span(spindle: Spindle, seat: BearingSeat) -> tuple[float, float]:
 
 
 def _thickest(spindle: Spindle, left: float, right: float) -> float:
-    """Largest radius of rotors and their discs between two stations."""
+    """Return the largest radius of rotors and their discs between two stations [mm]."""
     shafts = [part.shaft for part in spindle.parts.values()]
     radii = [
         max(section.outer)
@@ -139,24 +139,24 @@ def _thickest(spindle: Spindle, left: float, right: float) -> float:
     return max(radii, default=0.0) * 500.0
 
 
-def _outside(spindle: Spindle, support: LinearSupport) -> float:
-    """Radius of what a support holds."""
+def _shaft_radius(spindle: Spindle, support: LinearSupport) -> float:
+    """Return the radius of the shaft that a support holds [mm]."""
     shaft = spindle.part(support.holds).shaft
     return shaft.diameters_at(support.x)[0] * 500.0
 
 
 def _ground(spindle: Spindle, support: LinearSupport) -> float:
-    """Where a support stands on ground: below every rotor there."""
-    there = [
+    """Return the level of the ground of a support [mm]: below every rotor at its station."""
+    radii = [
         part.shaft.diameters_at(support.x)[0] * 500.0
         for part in spindle.parts.values()
         if part.shaft.start <= support.x <= part.shaft.end
     ]
-    return -max(_outside(spindle, support), *there, 0.0) - foot(spindle)
+    return -max(_shaft_radius(spindle, support), *radii, 0.0) - foot(spindle)
 
 
-def _between(sketch: Sketch, spindle: Spindle, support: LinearSupport) -> None:
-    """A crossed box between two rotors, in the gap from the thinner to the wall of the thicker."""
+def _link(sketch: Sketch, spindle: Spindle, support: LinearSupport) -> None:
+    """Draw a crossed box between two rotors, in the gap from the thinner to the thicker one."""
     low, high = gap(spindle, support)
     half, x = 0.5 * max(high - low, 5.0), support.x * 1e3
     sketch.box(x - half, x + half, low, high, "#FFFFFF", edge=BLUE, z=5)
@@ -164,12 +164,12 @@ def _between(sketch: Sketch, spindle: Spindle, support: LinearSupport) -> None:
 
 
 def _film_radius(spindle: Spindle, film: SqueezeFilmDamper) -> float:
-    """Outer radius of a film, drawn thick enough to be seen."""
+    """Return the outer radius of a film [mm], drawn thick enough to be visible."""
     return film.radius * 1e3 + max(film.clearance * 1e3, 0.25 * foot(spindle))
 
 
 def _film(sketch: Sketch, spindle: Spindle, film: SqueezeFilmDamper) -> None:
-    """The journal that does not spin, from the shaft to the film, and the ground around it."""
+    """Draw the journal that does not spin, from the shaft to the film, and the ground around it."""
     left, right = (film.x - film.length / 2) * 1e3, (film.x + film.length / 2) * 1e3
     shaft, journal = spindle.shaft.diameters_at(film.x)[0] * 500.0, film.radius * 1e3
     outer, unit = _film_radius(spindle, film), 0.1 * foot(spindle)
@@ -182,7 +182,7 @@ def _film(sketch: Sketch, spindle: Spindle, film: SqueezeFilmDamper) -> None:
 
 
 def _housing_below(sketch: Sketch, spindle: Spindle, housing: Housing) -> None:
-    """A block under the supports that it carries."""
+    """Draw a housing as a block under the supports that it carries."""
     unit = 0.1 * foot(spindle)
     feet = [(s.x * 1e3, _ground(spindle, s)) for s in spindle.supports if s.name in housing.carries]
     if feet:
@@ -196,10 +196,10 @@ def _housing_below(sketch: Sketch, spindle: Spindle, housing: Housing) -> None:
 def _housing_above(
     sketch: Sketch, spindle: Spindle, name: str, block: tuple[float, float, float]
 ) -> None:
-    """A block down to the bearings that it carries, hung on springs from the ground."""
+    """Draw a housing as a block on the bearings that it carries, on springs from the ground."""
     (left, right, low), unit = block, 0.1 * foot(spindle)
     high, ground = low + 8.0 * unit, low + 22.0 * unit
-    carried = next(each for each in spindle.housings if each.name == name).carries
+    carried = next(housing for housing in spindle.housings if housing.name == name).carries
     for seat in spindle.seats:
         top = seat_top(spindle, seat)
         if seat.name in carried and not math.isclose(top, low):

@@ -1,4 +1,4 @@
-"""How sure results are: bands about curves, and what rules the range of numbers."""
+"""Figures of the uncertainty of results: bands about curves, tornado diagrams, sensitivities."""
 
 from __future__ import annotations
 
@@ -39,16 +39,16 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-PANELS, BARS = 6, 8  # numbers in a figure, sources of each
-BAR, ROOM = 5.2, 22.0  # height of a bar, and of what surrounds the bars of a panel [mm]
-ASIDE = 0.03  # of the width of an axis: room of a mark on either side
+PANELS, BARS = 6, 8  # numbers in a figure, and sources of each
+BAR, ROOM = 5.2, 22.0  # height of a bar, and of the margins of a panel [mm]
+ASIDE = 0.03  # of the width of an axis: margin for a mark on either side
 LONGEST = 24  # characters of a line beside a bar
-SEEN = 3e-3  # of the largest change of a number: less is no bar
+SEEN = 3e-3  # of the largest change of a number: smaller changes have no bar
 
 
 def rules_figure(held: Interval) -> Figure:
-    """Tornado diagrams: change of the numbers that vary most, by source, the largest on top."""
-    chosen = _several(held, held.varying())
+    """Draw tornado diagrams: change of the numbers that vary most, by source, largest on top."""
+    chosen = _chosen(held, held.varying())
     if not chosen:
         return new_figure(168.0, 30.0, "nothing that is uncertain changes a number")
     rows = math.ceil(len(chosen) / 2)
@@ -61,17 +61,17 @@ def rules_figure(held: Interval) -> Figure:
     return figure
 
 
-def _several(held: Interval, order: Sequence[int]) -> list[int]:
-    """Of every analysis its widest number first, then the others; in their order.
+def _chosen(held: Interval, order: Sequence[int]) -> list[int]:
+    """Return the numbers to draw, in order: the widest one of every analysis, then others.
 
-    Of numbers that behave alike, such as both whirls of a mode, only one.
+    Of numbers with the same behaviour, such as both whirls of a mode, only one is drawn.
     """
     first: dict[str, int] = {}
-    apart = held.apart(order)
-    for k in apart:
+    distinct = held.apart(order)
+    for k in distinct:
         first.setdefault(held.number[k].partition(":")[0], k)
-    rest = [k for k in apart if k not in first.values()]
-    return sorted([*first.values(), *rest][:PANELS])
+    others = [k for k in distinct if k not in first.values()]
+    return sorted([*first.values(), *others][:PANELS])
 
 
 def _tornado(axes: Axes, held: Interval, k: int) -> None:
@@ -85,11 +85,11 @@ def _tornado(axes: Axes, held: Interval, k: int) -> None:
     if several:
         axes.barh(0, high - low, left=low, height=0.7, color=GREY, label=OVER_HYPOTHESES)
     for place, s in enumerate(sources, start=int(several)):
-        for end, other, colour, words in zip(
+        for end, opposite, colour, end_name in zip(
             effects[s], effects[s, ::-1], (BLUE, RED), held.end, strict=True
         ):
-            inner = 0.0 < end / other < 1.0 if other else False  # both ends on one side
-            label, height = f"at its {words} value", 0.35 if inner else 0.7
+            inner = 0.0 < end / opposite < 1.0 if opposite else False  # both ends are on one side
+            label, height = f"at its {end_name} value", 0.35 if inner else 0.7
             axes.barh(place, end, height, color=colour, label=label, zorder=1.1 if inner else 1.0)
     axes.axvline(0.0, color="black", lw=0.7)
     axes.set_yticks(range(len(names)), names, fontsize=FONT_SIZE - 1.5, linespacing=0.95)
@@ -103,7 +103,7 @@ def _tornado(axes: Axes, held: Interval, k: int) -> None:
 
 
 def slopes_figure(held: Interval) -> Figure:
-    """Relative change of every number over that of a number of the case, as a map of colours."""
+    """Draw a colour map of the relative change of every result over that of an input."""
     values = np.nan_to_num(held.elasticity)
     rows = np.flatnonzero(np.abs(values).max(axis=1) > NARROW)
     if not rows.size:
@@ -125,15 +125,15 @@ def slopes_figure(held: Interval) -> Figure:
     axes.tick_params(labelsize=FONT_SIZE - 1.5)
     axes.grid(visible=False)
     for (i, j), value in np.ndenumerate(values[rows]):
-        light = "white" if abs(value) > 0.6 * top else "black"
-        words = f"{value:+.2f}" if abs(value) >= 0.005 else "0"
-        axes.text(j, i, words, ha="center", va="center", fontsize=FONT_SIZE - 1.5, color=light)
+        colour = "white" if abs(value) > 0.6 * top else "black"
+        text = f"{value:+.2f}" if abs(value) >= 0.005 else "0"
+        axes.text(j, i, text, ha="center", va="center", fontsize=FONT_SIZE - 1.5, color=colour)
     axes.set_title("relative change of a result over that of a number", fontsize=FONT_SIZE)
     return figure
 
 
 def bands_figure(held: Interval, curves: Mapping[str, Curve]) -> Figure:
-    """Headline curves of a figure, each in the band of what is uncertain."""
+    """Draw headline curves of a figure, each with the band of its uncertainty."""
     panels: dict[tuple[str, ...], list[tuple[str, Curve]]] = {}
     for key, curve in curves.items():
         if key in held.curve:
@@ -153,11 +153,11 @@ def bands_figure(held: Interval, curves: Mapping[str, Curve]) -> Figure:
         series = list(dict.fromkeys(curve.series for _, curve in shown))
         for key, curve in shown:
             _line(axes, held.curve_nominal[held.rows_of(held.curve.index(key))], curve, series)
-        within = axes.get_ylim()
+        limits = axes.get_ylim()
         for key, curve in shown:
             _band(axes, held, held.curve.index(key), curve)
-        if np.isfinite(first.ceiling):  # the axis does not grow for what lies beyond
-            axes.set_ylim(within)
+        if np.isfinite(first.ceiling):  # the axis does not grow for bands beyond it
+            axes.set_ylim(limits)
         _finish(axes, first)
         for key, curve in shown:
             _beyond(axes, held, held.curve.index(key), curve)
@@ -168,7 +168,7 @@ def bands_figure(held: Interval, curves: Mapping[str, Curve]) -> Figure:
 
 
 def _line(axes: Axes, y: Array, curve: Curve, series: Sequence[str]) -> None:
-    """The curve as in the case; one that has points beyond the axis leaves the frame."""
+    """Draw the curve of the case; a curve with points beyond the axis leaves the frame."""
     name, look = curve.series or "as in the case", line_of(series.index(curve.series))
     x, y = curve._replace(y=y).drawn
     if curve.dotted:
@@ -176,7 +176,7 @@ def _line(axes: Axes, y: Array, curve: Curve, series: Sequence[str]) -> None:
     (line,) = axes.plot(x, under(y, curve.ceiling), label=name, lw=1.0, **look)
     line.set_ydata(np.minimum(y, FAR * curve.ceiling))
     if curve.dotted:
-        _whole(axes, line)
+        _clip_above(axes, line)
 
 
 def _band(axes: Axes, held: Interval, place: int, curve: Curve) -> None:
@@ -185,17 +185,17 @@ def _band(axes: Axes, held: Interval, place: int, curve: Curve) -> None:
         (held.curve_hypotheses[rows], OVER_HYPOTHESES, GREY, 0.35),
         (held.curve_tolerances[rows], OVER_TOLERANCES, BLUE, 0.25),
     )
-    for ends, words, shade, alpha in bands:
+    for ends, label, colour, alpha in bands:
         x, (low, high) = held.x[rows], np.minimum(ends, FAR * curve.ceiling).T
-        look: dict[str, Any] = {"label": words, "color": shade, "alpha": alpha, "zorder": 1.2}
+        look: dict[str, Any] = {"label": label, "color": colour, "alpha": alpha, "zorder": 1.2}
         if len(x) == 1 or curve.dotted:
-            _whole(axes, axes.vlines(x, low, high, lw=3.0, **look))
+            _clip_above(axes, axes.vlines(x, low, high, lw=3.0, **look))
         else:
             axes.fill_between(x, low, high, lw=0.0, **look)
 
 
-def _whole(axes: Axes, drawn: Artist) -> None:
-    """Marks and bars at the sides of the axes are not cut by the frame, those above it are."""
+def _clip_above(axes: Axes, drawn: Artist) -> None:
+    """Clip marks and bars above the axes, not those at their sides."""
     from matplotlib.transforms import Bbox, TransformedBbox
 
     drawn.set_clip_path(None)
@@ -203,20 +203,20 @@ def _whole(axes: Axes, drawn: Artist) -> None:
 
 
 def _beyond(axes: Axes, held: Interval, place: int, curve: Curve) -> None:
-    """Triangles at the edge where bars, or points of the case, lie beyond an axis that does not
-    grow for them."""
+    """Draw triangles at the edge where bars, or points of the case, are beyond an axis with fixed
+    limits."""
     rows, top = held.rows_of(place), axes.get_ylim()[1]
     if not curve.dotted or np.isinf(curve.ceiling):
         return
     values = [held.curve_nominal, *held.curve_hypotheses.T, *held.curve_tolerances.T]
-    off = (np.array(values)[:, rows] > top).any(axis=0)
-    if off.any():
+    outside = (np.array(values)[:, rows] > top).any(axis=0)
+    if outside.any():
         look: dict[str, Any] = {"color": GREY, "ms": 4.0, "ls": "", "clip_on": False}
-        axes.plot(held.x[rows][off], np.full(off.sum(), top), "^", label=BEYOND, **look)
+        axes.plot(held.x[rows][outside], np.full(outside.sum(), top), "^", label=BEYOND, **look)
 
 
 def _ends(held: Interval, shown: Sequence[tuple[str, Curve]], series: Sequence[str]) -> list[End]:
-    """Names of the nominal curves that reach the right edge."""
+    """Return the ends of the nominal curves that reach the right edge."""
     last = [(c, held.curve_nominal[held.rows_of(held.curve.index(key))][-1]) for key, c in shown]
     return [
         End(float(y), curve.end, line_of(series.index(curve.series))["color"], 0)

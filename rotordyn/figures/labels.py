@@ -12,13 +12,13 @@ from rotordyn.results.declaration import declared
 
 
 def axis_label(result: Any, name: str) -> str:
-    """Label and printed unit of a quantity or coordinate of ``result``."""
+    """Return label and printed unit of a quantity or coordinate of ``result``."""
     info = declared(result)[name].metadata
     return f"{info['label']} [{info['printed'].unit}]"
 
 
 def broken(path: str, longest: int) -> str:
-    """A dotted path in lines of at most ``longest`` characters, where a step is not longer itself.
+    """Break a dotted path into lines of at most ``longest`` characters, or of one step.
 
     >>> print(broken("sleeves.rear.spring.preload", 24))
     sleeves.rear.spring.
@@ -35,10 +35,10 @@ def broken(path: str, longest: int) -> str:
 def spread(
     wanted: Sequence[float], sizes: Sequence[float], low: float, high: float
 ) -> NDArray[np.float64]:
-    """Centres near ``wanted`` such that labels of ``sizes`` neither overlap nor leave low … high.
+    """Return centres near ``wanted``, with labels of ``sizes`` not overlapping and in low … high.
 
-    Labels that touch move as one block about the mean of where they want to be. When they do not
-    all fit they are set evenly over the whole range.
+    Labels that touch move as one block about the mean of their wanted centres. If they do not all
+    fit, they fill the whole range with reduced sizes.
     """
     centres = np.asarray(wanted, float)
     order = np.argsort(centres, kind="stable")
@@ -46,7 +46,7 @@ def spread(
     if width.sum() >= high - low:
         width = width * (high - low) / width.sum()
     before = np.cumsum(width) - width / 2.0  # centres of the labels laid end to end from zero
-    blocks: list[tuple[float, int]] = []  # shift of each from there, and how many labels it holds
+    blocks: list[tuple[float, int]] = []  # shift from there, and number of labels, of each
     for shift in (centres[order] - before).tolist():
         blocks.append((shift, 1))
         while len(blocks) > 1 and blocks[-2][0] > blocks[-1][0]:

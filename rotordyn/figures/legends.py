@@ -1,4 +1,4 @@
-"""What the lines of a figure mean: beside them, or at its top where the figure makes room."""
+"""Legends: within axes, or at the top of a figure, which grows for them."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ if TYPE_CHECKING:
 SIZE = FONT_SIZE - 1.0
 EM = SIZE * 25.4 / 72.0  # [mm]
 HANDLE, BEFORE_TEXT, BETWEEN = 2.4, 0.8, 1.4  # [em] a line, its gap to the text, between columns
-EDGE = 0.3  # [em] around the whole
+EDGE = 0.3  # [em] around the legend
 LONGEST = 100  # characters of a line
 TITLE = 4.5  # [mm] above the axes
 
 
 def legend(axes: Axes, **kwargs: Any) -> None:
-    """A legend in the report style, where the lines leave room unless ``loc`` is given."""
-    once = _entries([axes])
-    if once:
+    """Draw a legend in the report style, where lines leave room unless ``loc`` is given."""
+    entries = _entries([axes])
+    if entries:
         axes.legend(
-            once.values(),
-            once.keys(),
+            entries.values(),
+            entries.keys(),
             frameon=True,
             framealpha=0.85,
             edgecolor="none",
@@ -37,20 +37,20 @@ def legend(axes: Axes, **kwargs: Any) -> None:
 
 
 def top_legend(figure: Figure, *panels: Axes, above: float = 0.0) -> None:
-    """What the lines of ``panels`` mean, each once, at the top of the figure.
+    """Draw a legend of the lines of ``panels``, each once, at the top of the figure.
 
-    The figure grows where the legend needs more room than there is above the axes and the words,
-    ``above`` [mm] high, that stand on them.
+    The figure grows if the legend needs more height than there is above the axes and the labels,
+    ``above`` [mm] high, on top of them.
     """
     entries = {textwrap.fill(name, LONGEST): h for name, h in _entries(panels).items()}
     if not entries:
         return
     width = figure.get_size_inches()[0] * 25.4
-    columns = _columns([_wide(name) for name in entries], width)
-    read = [name for k in range(columns) for name in [*entries][k::columns]]  # row by row
+    columns = _columns([_entry_width(name) for name in entries], width)
+    ordered = [name for k in range(columns) for name in [*entries][k::columns]]  # row by row
     placed = figure.legend(
-        [entries[name] for name in read],
-        read,
+        [entries[name] for name in ordered],
+        ordered,
         loc="upper center",
         ncols=columns,
         frameon=False,
@@ -67,7 +67,7 @@ def top_legend(figure: Figure, *panels: Axes, above: float = 0.0) -> None:
 
 
 def legend_in(figure: Figure, box: Sequence[float], *panels: Axes) -> None:
-    """What the lines of ``panels`` mean, each once, in the middle of an empty ``box`` [mm]."""
+    """Draw a legend of the lines of ``panels``, each once, centred in an empty ``box`` [mm]."""
     entries = _entries(panels)
     if not entries:
         return
@@ -85,7 +85,7 @@ def legend_in(figure: Figure, box: Sequence[float], *panels: Axes) -> None:
 
 
 def rows_of(handles: Sequence[Any], width: float) -> list[list[Any]]:
-    """Named ``handles`` in as few rows as fit into ``width`` [mm], in their order."""
+    """Arrange ``handles`` in the fewest rows that fit into ``width`` [mm], in their order."""
     rows: list[list[Any]] = []
     used = math.inf
     for handle in handles:
@@ -100,13 +100,13 @@ def rows_of(handles: Sequence[Any], width: float) -> list[list[Any]]:
 
 
 def shortened(title: str, longest: int = 48) -> str:
-    """A title cut to what fits above a panel of half the figure's width."""
+    """Cut a title to a length that fits above a panel of half the width of a figure."""
     return title if len(title) <= longest else title[: longest - 1].rstrip() + "…"
 
 
 def _entries(panels: Sequence[Axes]) -> dict[str, Any]:
-    """Handles by name, with the marks of lone points; a name shared by several curves is shown
-    once, as its first curve."""
+    """Return handles by name, with the marks of lone points; a name of several curves has the
+    handle of the first."""
     entries: dict[str, Any] = {}
     for axes in panels:
         mark_lone_points(axes)
@@ -115,19 +115,19 @@ def _entries(panels: Sequence[Axes]) -> dict[str, Any]:
     return entries
 
 
-def _wide(name: str) -> float:
-    """Width of an entry, line and text [mm]."""
+def _entry_width(name: str) -> float:
+    """Return the width of an entry, line and text [mm]."""
     text = max(text_width(line, SIZE) for line in name.split("\n"))
     return text + (HANDLE + BEFORE_TEXT) * EM
 
 
-def _columns(wide: Sequence[float], width: float) -> int:
-    """How many columns of entries, filled row by row, fit into ``width`` [mm]."""
-    return next((n for n in range(len(wide), 1, -1) if _needed(wide, n) <= width), 1)
+def _columns(widths: Sequence[float], width: float) -> int:
+    """Return the number of columns of entries, filled row by row, that fit into ``width`` [mm]."""
+    return next((n for n in range(len(widths), 1, -1) if _total_width(widths, n) <= width), 1)
 
 
-def _needed(wide: Sequence[float], columns: int) -> float:
-    total = sum(max(wide[k::columns]) for k in range(columns))
+def _total_width(widths: Sequence[float], columns: int) -> float:
+    total = sum(max(widths[k::columns]) for k in range(columns))
     return total + ((columns - 1) * BETWEEN + 4.0 * EDGE) * EM
 
 

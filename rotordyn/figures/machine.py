@@ -1,4 +1,4 @@
-"""Half-section of the machine to scale."""
+"""Figure of the half-section of the machine, to scale."""
 
 from __future__ import annotations
 
@@ -54,15 +54,15 @@ if TYPE_CHECKING:
 
 SHADES = ("#B9C4CE", "#D8C3A5", "#B5CDB8", "#CBB9D1", "#E3D9A9", "#C7C7C7")
 _WIDTH, _SIDE = 168.0, 4.0
-APART = 4.0  # [mm of paper] of words in a row
-_LINE, _LEGEND_LINE = 2.8, 4.2  # [mm of paper] of the words below, of the legend
-Mark = tuple[float, float, str]  # start of a leader [mm], and its words
-OUTSIDE = 2  # zorder of what is seen from outside, thicker rotors in front
+APART = 4.0  # [mm of paper] between labels in a row
+_LINE, _LEGEND_LINE = 2.8, 4.2  # [mm of paper]: line height of labels below, and of the legend
+Mark = tuple[float, float, str]  # start of a leader [mm], and its label
+OUTSIDE = 2  # zorder of outer surfaces, thicker rotors in front
 
 
 def machine_figure(spindle: Spindle, loads: Sequence[PointLoad] = ()) -> Figure:
-    """All rotors cut above their axis, with all that they carry, all that holds them [mm], and the
-    static ``loads`` on them."""
+    """Draw all rotors, cut above their axis, with the parts they carry, bearings, supports and
+    housings [mm], and the static ``loads`` on them."""
     left, right = _extent(spindle)
     scale = (_WIDTH - 2.0 * _SIDE) / (right - left)
     reach = max(_reach(spindle), *(height(spindle, load, 9.0 / scale) for load in loads), 0.0)
@@ -70,7 +70,7 @@ def machine_figure(spindle: Spindle, loads: Sequence[PointLoad] = ()) -> Figure:
     marks = _marks(sketch, spindle, 1.6 / scale)
     marks += _load_marks(sketch, spindle, loads, 9.0 / scale)
     lines = max((text.count("\n") + 1 for _, _, text in marks), default=1)
-    words = 11.8 + _LINE * max(lines, 2)  # from the reach to below the words [mm of paper]
+    words = 11.8 + _LINE * max(lines, 2)  # from the reach to below the labels [mm of paper]
     rows = _legend_rows(spindle, loads)
     above = reach + 13.0 / scale
     below = reach + (words + _LEGEND_LINE * len(rows)) / scale
@@ -84,7 +84,7 @@ def machine_figure(spindle: Spindle, loads: Sequence[PointLoad] = ()) -> Figure:
     for side in ("left", "right", "top"):
         axes.spines[side].set_visible(False)
     thickest_last = sorted(spindle.parts.values(), key=lambda part: part.shaft.largest_diameter)
-    for rank, part in enumerate(thickest_last):  # it covers the others
+    for rank, part in enumerate(thickest_last):  # the thickest covers the others
         _draw_shaft(sketch, part, _shades(spindle), rank)
         _draw_discs(sketch, part, _shades(spindle), rank)
     sketch.line([(left, 0.0), (right, 0.0)], BLACK, 0.5, "dashdot", z=6)
@@ -93,9 +93,9 @@ def machine_figure(spindle: Spindle, loads: Sequence[PointLoad] = ()) -> Figure:
     for seat in spindle.seats:
         radius = spindle.shaft.diameters_at(seat.x)[0] / 2.0
         draw_bearing(sketch, seat, bearing_width(seat, spindle.seats), radius)
-    _hold(sketch, axes, spindle, reach + 3.0 / scale, (left, right), scale)
+    _draw_above(sketch, axes, spindle, reach + 3.0 / scale, (left, right), scale)
     draw_holders(sketch, spindle)
-    _name_below(sketch, axes, marks, reach, scale, (left, right))
+    _draw_marks(sketch, axes, marks, reach, scale, (left, right))
     sketch.draw(axes)
     _legend(figure, axes, rows)
     return figure
@@ -110,7 +110,7 @@ def _extent(spindle: Spindle) -> tuple[float, float]:
 
 
 def _reach(spindle: Spindle) -> float:
-    """Largest radius of anything drawn [mm]."""
+    """Return the largest radius of all parts drawn [mm]."""
     parts = spindle.parts.values()
     radii = [part.shaft.largest_diameter / 2.0 for part in parts]
     radii += [d.outer_diameter / 2.0 for part in parts for d in part.discs]
@@ -121,7 +121,7 @@ def _reach(spindle: Spindle) -> float:
 
 
 def _draw_shaft(sketch: Sketch, spindle: Spindle, shades: dict[str, str], rank: int) -> None:
-    """One rotor; of ``rank`` 0 the thinnest, alone with what is within its bore."""
+    """Draw one rotor; the thinnest has ``rank`` 0 and alone shows its bore."""
     for section, ends in zip(
         spindle.shaft.sections, pairwise(spindle.shaft.boundaries), strict=True
     ):
@@ -135,9 +135,9 @@ def _draw_shaft(sketch: Sketch, spindle: Spindle, shades: dict[str, str], rank: 
 def _draw_section(
     sketch: Sketch, section: Section, a: float, b: float, shade: str, rank: int
 ) -> None:
-    """The wall cut above the axis with the bore open behind it; the outside below."""
+    """Draw the cut wall above the axis with the bore behind it, and the outer surface below."""
     (front, rear), (bore, end) = (
-        [d * 500.0 for d in each] for each in (section.outer, section.inner)
+        [d * 500.0 for d in diameters] for diameters in (section.outer, section.inner)
     )
     sketch.polygon([(a, bore), (b, end), (b, rear), (a, front)], shade)
     if max(bore, end) > 0.0 and not rank:
@@ -162,7 +162,7 @@ def _draw_discs(sketch: Sketch, spindle: Spindle, shades: dict[str, str], rank: 
         sketch.box(a, b, -outer, -inner, "#ECEFF1", z=OUTSIDE + 1 + 2 * rank)
 
 
-def _hold(
+def _draw_above(
     sketch: Sketch,
     axes: Axes,
     spindle: Spindle,
@@ -170,39 +170,39 @@ def _hold(
     limits: tuple[float, float],
     scale: float,
 ) -> None:
-    """Housing or sleeve above every bearing, with the names over it."""
+    """Draw a ground or sleeve above every bearing, with names above it."""
     for seat in spindle.seats:
         if spindle.sleeve_of(seat.name) is None and not housed(spindle, seat.name):
             half = bearing_width(seat, spindle.seats) * 500.0
             draw_ground(sketch, seat.x * 1e3, outside_of(seat), half, upright=False, side=1.0)
     named = [(seat.x * 1e3, seat.name) for seat in spindle.seats]
-    _words_in_a_row(axes, named, lane, limits, scale, weight="bold")
-    said = [(_hold_sleeve(sketch, spindle, s), _sleeve_words(s)) for s in spindle.sleeves]
+    _labels_in_a_row(axes, named, lane, limits, scale, weight="bold")
+    texts = [(_sleeve_over(sketch, spindle, s), _sleeve_words(s)) for s in spindle.sleeves]
     for name, (a, b, _) in housings_above(spindle).items():
-        said.append(((a + b) / 2.0, _housing_words(spindle, name)))
+        texts.append(((a + b) / 2.0, _housing_words(spindle, name)))
     for r in spindle.rotors:
         middle = (r.shaft.start + r.shaft.end) * 500.0
-        said.append((middle, f"{r.name}: {r.speed_ratio:g} × the speed"))
-    _words_in_a_row(axes, said, lane + 5.5 / scale, limits, scale, color=BLUE)
+        texts.append((middle, f"{r.name}: {r.speed_ratio:g} × the speed"))
+    _labels_in_a_row(axes, texts, lane + 5.5 / scale, limits, scale, color=BLUE)
 
 
-def _words_in_a_row(
+def _labels_in_a_row(
     axes: Axes,
-    words: Sequence[tuple[float, str]],
+    labels: Sequence[tuple[float, str]],
     y: float,
     limits: tuple[float, float],
     scale: float,
     **look: Any,
 ) -> None:
-    """Words, each over its place or beside it, above ``y``."""
-    sizes = [_text(each, FONT_SIZE, scale, APART) for _, each in words]
-    places = spread([x for x, _ in words], sizes, *limits)
-    for x, (_, each) in zip(places, words, strict=True):
-        axes.text(x, y, each, ha="center", va="bottom", fontsize=FONT_SIZE, **look)
+    """Draw labels above ``y``, each at its position or next to it."""
+    sizes = [_width(text, FONT_SIZE, scale, APART) for _, text in labels]
+    places = spread([x for x, _ in labels], sizes, *limits)
+    for x, (_, text) in zip(places, labels, strict=True):
+        axes.text(x, y, text, ha="center", va="bottom", fontsize=FONT_SIZE, **look)
 
 
-def _hold_sleeve(sketch: Sketch, spindle: Spindle, sleeve: Sleeve) -> float:
-    """The sleeve over its bearings; returns the middle of these [mm]."""
+def _sleeve_over(sketch: Sketch, spindle: Spindle, sleeve: Sleeve) -> float:
+    """Draw the sleeve over its bearings; return the middle of these [mm]."""
     seats = [s for s in spindle.seats if s.name in sleeve.bearings]
     widths = [bearing_width(s, spindle.seats) / 2 for s in seats]
     left = min(s.x - w for s, w in zip(seats, widths, strict=True)) * 1e3
@@ -228,12 +228,12 @@ def _sleeve_words(sleeve: Sleeve) -> str:
 
 
 def _housing_words(spindle: Spindle, name: str) -> str:
-    housing = next(each for each in spindle.housings if each.name == name)
+    housing = next(housing for housing in spindle.housings if housing.name == name)
     weight = f"{housing.mass:.4g} kg" if isinstance(housing, RigidHousing) else "reduced model"
     return f"{name}: housing, {weight}"
 
 
-def _name_below(
+def _draw_marks(
     sketch: Sketch,
     axes: Axes,
     marks: Sequence[Mark],
@@ -241,9 +241,9 @@ def _name_below(
     scale: float,
     limits: tuple[float, float],
 ) -> None:
-    """Masses, supports, points, loads, discs and the drawbar under the shaft, joined by leaders."""
+    """Draw labels of masses, supports, points and others under the shaft, joined by leaders."""
     size = FONT_SIZE - 1.5
-    sizes = [max(_text(line, size, scale) for line in text.split("\n")) for _, _, text in marks]
+    sizes = [max(_width(line, size, scale) for line in text.split("\n")) for _, _, text in marks]
     places = spread([x for x, _, _ in marks], sizes, *limits)
     upper, lower = -reach - 2.0 / scale, -reach - 8.5 / scale
     for at, (x, y, text) in zip(places, marks, strict=True):
@@ -260,14 +260,14 @@ def _name_below(
 
 
 def _marks(sketch: Sketch, spindle: Spindle, size: float) -> list[Mark]:
-    """What is to be named: place of the leader's start [mm] and the words."""
+    """Draw symbols of masses and points; return the start of each leader [mm] and its label."""
     marks: list[Mark] = []
     for rotor, part in spindle.parts.items():
         for mass in part.masses:
             height = _height(part, mass.x, rotor)
             _mass_symbol(sketch, mass, height, size)
-            words = f"{mass.name.replace('_', ' ')}\n{mass.mass:.3g} kg"
-            marks.append((mass.x * 1e3, height, words))
+            label = f"{mass.name.replace('_', ' ')}\n{mass.mass:.3g} kg"
+            marks.append((mass.x * 1e3, height, label))
         marks += [(joint.x * 1e3, 0.0, joint.name) for joint in part.joints]
     for name, (rotor, x) in spindle.places.items():
         height = _height(spindle.part(rotor), x, rotor)
@@ -279,7 +279,7 @@ def _marks(sketch: Sketch, spindle: Spindle, size: float) -> list[Mark]:
         marks.append((support.x * 1e3, low, support.name))
     for housing in spindle.housings:
         carried = [s for s in spindle.supports if s.name in housing.carries]
-        if carried:  # named at its centre of gravity, as far as its block reaches there
+        if carried:  # leader from its centre of gravity, within its block
             ends = min(s.x for s in carried) * 1e3, max(s.x for s in carried) * 1e3
             at = housing.x * 1e3 if isinstance(housing, RigidHousing) else sum(ends) / 2.0
             low = lower_end(spindle, carried[0])
@@ -293,46 +293,46 @@ def _marks(sketch: Sketch, spindle: Spindle, size: float) -> list[Mark]:
 
 
 def _load_marks(
-    sketch: Sketch, spindle: Spindle, loads: Sequence[PointLoad], long: float
+    sketch: Sketch, spindle: Spindle, loads: Sequence[PointLoad], length: float
 ) -> list[Mark]:
-    """The loads drawn; stations and words of all at one place together."""
-    words: dict[float, list[str]] = {}
+    """Draw the loads; return marks, with the labels of loads at one station together."""
+    labels: dict[float, list[str]] = {}
     for load in loads:
-        x, said = draw_load(sketch, spindle, load, long)
-        words.setdefault(x, []).append(said)
-    return [(x, 0.0, "\n".join(said)) for x, said in words.items()]
+        x, label = draw_load(sketch, spindle, load, length)
+        labels.setdefault(x, []).append(label)
+    return [(x, 0.0, "\n".join(label)) for x, label in labels.items()]
 
 
 def _height(part: Spindle, x: float, rotor: str) -> float:
-    """Where something on a rotor is marked [mm]: on the axis, of a further one in its wall."""
+    """Return the height of marks on a rotor [mm]: 0 on the spindle, in the wall of others."""
     wall = sum(part.shaft.diameters_at(x)) * 250.0
     return 0.0 if rotor == SPINDLE else wall
 
 
 def _mass_symbol(sketch: Sketch, mass: PointMass, height: float, size: float) -> None:
-    """The quartered circle of a centre of gravity."""
+    """Draw the quartered circle of a centre of gravity."""
     x = mass.x * 1e3
     sketch.circle(x, height, size, "#FFFFFF", edge=BLACK, z=7)
     for start in (0.0, math.pi):
-        turn = [start + k * math.pi / 16.0 for k in range(9)]
-        arc = [(x + size * math.cos(t), height + size * math.sin(t)) for t in turn]
+        angles = [start + k * math.pi / 16.0 for k in range(9)]
+        arc = [(x + size * math.cos(angle), height + size * math.sin(angle)) for angle in angles]
         sketch.polygon([(x, height), *arc], BLACK, edge=BLACK, width=0.3, z=7)
 
 
-def _text(words: str, size: float, scale: float, apart: float = 2.5) -> float:
-    """Width of a line of text in axis units [mm of machine], ``apart`` from its neighbour [mm of
-    paper]."""
+def _width(words: str, size: float, scale: float, apart: float = 2.5) -> float:
+    """Return the width of a line of text in axis units [mm of machine], with the distance
+    ``apart`` from the next [mm of paper]."""
     return (text_width(words, size) + apart) / scale
 
 
 def _legend_rows(spindle: Spindle, loads: Sequence[PointLoad]) -> list[list[Any]]:
-    """Materials where there are several, and the symbols that are drawn, in rows that fit."""
+    """Return legend entries of materials, if several, and of symbols drawn, in rows that fit."""
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
 
     shades = _shades(spindle)
-    some = shades.items() if len(shades) > 1 else ()
-    handles: list[Any] = [Patch(fc=c, ec="#333333", lw=0.5, label=n) for n, c in some]
+    materials = shades.items() if len(shades) > 1 else ()
+    handles: list[Any] = [Patch(fc=c, ec="#333333", lw=0.5, label=n) for n, c in materials]
     parts = spindle.parts.values()
     circle: dict[str, Any] = dict(ls="none", ms=4.5, mec=BLACK, mew=0.7, mfc="white")
     halves: dict[str, Any] = dict(fillstyle="left", mfc=BLACK, mfcalt="white")
@@ -344,12 +344,12 @@ def _legend_rows(spindle: Spindle, loads: Sequence[PointLoad]) -> list[list[Any]
         (spindle.dampers, "squeeze film", dict(color=SKY, lw=3.0)),
         (loads, "static load", dict(color=GREEN, lw=1.8, marker=">", ms=4.0)),
     ]
-    handles += [Line2D([], [], label=name, **look) for there, name, look in symbols if there]
+    handles += [Line2D([], [], label=name, **look) for items, name, look in symbols if items]
     return rows_of(handles, _WIDTH - 2.0 * _SIDE)
 
 
 def _legend(figure: Figure, axes: Axes, rows: Sequence[Sequence[Any]]) -> None:
-    """The rows one over the other above the axis of positions, each ending at the right."""
+    """Draw the legend rows above the axis of positions, aligned at the right."""
     tall = axes.get_position().height * figure.get_size_inches()[1] * 25.4
     for place, row in enumerate(reversed(rows)):
         legend = axes.legend(

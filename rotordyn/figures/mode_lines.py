@@ -1,4 +1,4 @@
-"""Modes over speed as lines, and frequencies known of them as marks."""
+"""Lines of modes over speed, and marks of their published and measured frequencies."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from rotordyn.results.kinds import Array, Flags, Words
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-LEAST_SPEEDS = 4  # for a line; at fewer a mode is a mark at each
-JUMP = 0.5  # of the change over the steps beside it: a frequency that jumps where a stop closes
+LEAST_SPEEDS = 4  # for a line; with fewer a mode has a mark at each speed
+JUMP = 0.5  # of the change over adjacent steps: least excess of a jump where a stop closes
 LOOKS: dict[str, tuple[str, Any, str]] = {
     "forward": (BLUE, "-", "forward whirl"),
     "backward": (RED, (0, (5, 2)), "backward whirl"),
@@ -54,20 +54,20 @@ class Modes(Protocol):
 
 
 def jumps(result: Modes) -> Flags:
-    """Steps between speeds (speeds − 1, modes) over which a stop closes or opens and a frequency
-    jumps: its change lies beyond those over the steps on both sides, by ``JUMP`` of the larger."""
+    """Return flags of steps between speeds (speeds − 1, modes) over which a stop closes or opens
+    and a frequency jumps: beyond its changes over both adjacent steps by ``JUMP`` of the larger."""
     step = np.diff(result.frequency, axis=0)
-    around = np.pad(step, ((1, 1), (0, 0)), constant_values=np.nan)
-    beside = around[:-2], around[2:]
-    low, high = (np.nan_to_num(extreme(*beside)) for extreme in (np.fmin, np.fmax))
-    away = np.maximum(low - step, step - high)
+    padded = np.pad(step, ((1, 1), (0, 0)), constant_values=np.nan)
+    adjacent = padded[:-2], padded[2:]
+    low, high = (np.nan_to_num(extreme(*adjacent)) for extreme in (np.fmin, np.fmax))
+    excess = np.maximum(low - step, step - high)
     least = np.maximum(JUMP * np.maximum(np.abs(low), np.abs(high)), 1e-4 * result.frequency[1:])
-    moved = np.abs(np.diff(result.stopped)) > 0.0
-    return np.asarray(moved[:, None] & (away > least))
+    stop_moves = np.abs(np.diff(result.stopped)) > 0.0
+    return np.asarray(stop_moves[:, None] & (excess > least))
 
 
 def whirl_segments(result: Modes) -> Segments:
-    """Curves of (rpm, Hz) by look; a mode that changes its whirl is cut there, at a jump too."""
+    """Return curves of (rpm, Hz) by look; a mode is cut where its whirl changes or it jumps."""
     rpm = result.speed * RPM.factor
     segments: Segments = {}
     jump = jumps(result)
@@ -79,10 +79,10 @@ def whirl_segments(result: Modes) -> Segments:
             looks[0] = looks[1]
         start = 0
         for end in range(1, len(looks) + 1):
-            apart = end < len(looks) and jump[end - 1, column]
-            if end == len(looks) or looks[end] != looks[start] or apart:
-                joined = start > 0 and not jump[start - 1, column]
-                first = start - 1 if joined else start
+            is_jump = end < len(looks) and jump[end - 1, column]
+            if end == len(looks) or looks[end] != looks[start] or is_jump:
+                continues = start > 0 and not jump[start - 1, column]
+                first = start - 1 if continues else start
                 curve = np.column_stack([rpm[first:end], frequency[first:end]])
                 curve = curve[np.isfinite(curve).all(axis=1)]
                 if curve.size:
@@ -92,9 +92,9 @@ def whirl_segments(result: Modes) -> Segments:
 
 
 def draw_modes(axes: Axes, result: Modes, colour: str = "", width: float = 0.7) -> None:
-    """One collection of curves per look; all in ``colour`` and of ``width`` when given.
+    """Draw one collection of curves per look; all in ``colour`` and of ``width`` if given.
 
-    Fewer than ``LEAST_SPEEDS`` speeds bear no lines: there every frequency is a mark.
+    With fewer than ``LEAST_SPEEDS`` speeds every frequency is a mark instead.
     """
     from matplotlib.collections import LineCollection
 
@@ -123,7 +123,7 @@ def draw_modes(axes: Axes, result: Modes, colour: str = "", width: float = 0.7) 
 
 
 def draw_stops(axes: Axes, result: Modes) -> None:
-    """A band between the speeds over which stops close or open where a frequency jumps."""
+    """Shade steps between speeds over which a stop closes or opens and a frequency jumps."""
     if len(result.speed) < LEAST_SPEEDS:
         return
     rpm = result.speed * RPM.factor
@@ -134,8 +134,8 @@ def draw_stops(axes: Axes, result: Modes) -> None:
 
 
 def draw_known(axes: Axes, references: Sequence[Reference], face: str = "none") -> None:
-    """Published and measured frequencies within the axes: of one whirl, of both, of torsion;
-    ``face``: colour of the marks, which over an image are filled."""
+    """Draw published and measured frequencies within the axes: of one whirl, of both, of torsion;
+    ``face``: colour of the marks, which are filled over an image."""
     right, top = axes.get_xlim()[1], axes.get_ylim()[1]
     for reference in references:
         if reference.quantity not in KNOWN:
@@ -167,5 +167,5 @@ def look_of(kind: str, whirl: float) -> str:
 
 
 def modes_among(results: Mapping[str, Any]) -> Modes | None:
-    """The first result that has modes over speed."""
+    """Return the first result that has modes over speed, or None."""
     return next((result for result in results.values() if isinstance(result, Modes)), None)

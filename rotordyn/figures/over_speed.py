@@ -1,4 +1,4 @@
-"""Four panels over one speed axis, or over one load."""
+"""Figures of four panels over one speed axis, or over one load."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 def four_over_speed(
     names: Sequence[str], speed: NDArray[np.float64], instead: str = ""
 ) -> tuple[Figure, list[Axes]]:
-    """The figure and its panels, of quantities so named, over ``speed`` [rad/s], or over what
-    ``instead`` says."""
+    """Return a figure and its panels, for quantities with ``names``, over ``speed`` [rad/s], or
+    over a quantity with the label ``instead``."""
     figure = new_figure(168.0, 118.0)
     boxes = grid_boxes(figure, 2, 2, margins=(15.0, 6.0, 12.0, 8.0), gaps=(18.0, 5.0))
     panels = []

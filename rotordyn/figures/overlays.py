@@ -1,7 +1,7 @@
-"""Variants over one another: the headline curves of an analysis, and how they differ.
+"""Overlays of variants: the headline curves of an analysis, and their differences.
 
-A few variants have a colour and marks each, curves of one variant dashes; of many the colour is the
-value that was varied.
+A few variants have a colour and marks each, and curves of one variant different dashes; the colour
+of many variants is the value that was varied.
 """
 
 from __future__ import annotations
@@ -39,21 +39,21 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from matplotlib.lines import Line2D
 
-MOST_NAMED = 14  # variants in a legend; of more the colour is a value
+MOST_NAMED = 14  # variants in a legend; with more, the colour is a value
 COLOURS = (*CYCLE, "#882255", "#DDCC77", "#6699CC", "#999933", "#CC6677", "#117733", "#AA4499")
-THICK, THIN = 2.4, 1.0  # the first variant, still seen below the last
+THICK, THIN = 2.4, 1.0  # line widths of the first variant, visible below the last, and of that
 MAP, DARK = "viridis", "#444444"
 LEFT, RIGHT, BELOW, GAP = 17.0, 6.0, 12.0, 5.0  # [mm]
-STRIP, OVER_STRIP = 26.0, 5.0  # height of differences, room above them [mm]
-NAMED_STRIP = 48.0  # the same where curves bear names at their ends
-BAR = 16.0  # room of a bar of colours [mm]
+STRIP, OVER_STRIP = 26.0, 5.0  # height of differences, gap above them [mm]
+NAMED_STRIP = 48.0  # height of differences of curves with names at their ends [mm]
+BAR = 16.0  # width of the space of a colour bar [mm]
 MOST_STRIPS = 4
 
 Curves = Callable[[Shown], Iterable[Curve]]
 
 
 class Scale(NamedTuple):
-    """What was varied, with its unit, and its value in each variant."""
+    """Varied quantity with its unit (``label``), and its value in each variant."""
 
     label: str
     values: Sequence[float]
@@ -61,14 +61,14 @@ class Scale(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Looks:
-    """How lines of variants look: ``colours`` by variant; ``series`` have dashes each."""
+    """Line styles of variants: ``colours`` by variant, dashes by ``series``."""
 
     colours: Sequence[Any]
     series: Sequence[str]
     named: bool
 
     def of(self, place: int, series: str) -> dict[str, Any]:
-        """The line of a variant and series."""
+        """Return the line style of a variant and series."""
         if not self.named:
             return {"color": self.colours[place], "ls": self.dash(series), "lw": 0.8}
         several, last = len(self.series) > 1, max(len(self.colours) - 1, 1)
@@ -80,26 +80,26 @@ class Looks:
         }
 
     def dash(self, series: str) -> Any:
-        """Of the curve without a series among others: full."""
+        """Return the dashes of a series; a curve without one has a solid line."""
         return DASHES[self.series.index(series) % len(DASHES)] if series else DASHES[0]
 
 
 def colour(place: int) -> str:
-    """Colour of the variant at a place."""
+    """Return the colour of the variant at an index."""
     return COLOURS[place % len(COLOURS)]
 
 
 def dash(place: int) -> Any:
-    """Dashes of the variant at a place, by which it is known without colour, too."""
+    """Return the dashes of the variant at an index, which identify it without colour."""
     return DASHES[(place + place // len(DASHES)) % len(DASHES)]
 
 
 def overlay_figure(
     name: str, curves: Curves, variants: Sequence[Shown], scale: Scale | None = None
 ) -> Figure:
-    """The curves of the figure ``name`` of all variants, a panel for each of their groups.
+    """Draw the curves of the figure ``name`` of all variants, a panel for each of their groups.
 
-    Below linear panels stands the difference to the first variant. ``scale``: of many variants.
+    Linear panels have the difference from the first variant below. ``scale``: of many variants.
     """
     groups = groups_of([[c for c in curves(v) if c.figure == name] for v in variants])
     looks = _looks(groups, len(variants), scale)
@@ -108,23 +108,23 @@ def overlay_figure(
     figure, boxes, columns = _layout(groups, strips=strips, bar=not looks.named, names=names)
     several = len({group.first.label for group in groups}) > 1 or groups[0].first.panel != ""
     for place, (group, (above, below)) in enumerate(zip(groups, boxes, strict=True)):
-        first, strip = group.first, strips and bool(group.changes)
+        curve, strip = group.first, strips and bool(group.changes)
         under = groups[place + columns :][:1]
-        lowest = not under or under[0].first.along != first.along
-        words = first.along if strip or lowest else ""
-        axes = add_axes(figure, above, "" if strip else words, _ordinate(first, several=several))
+        is_lowest = not under or under[0].first.along != curve.along
+        label = curve.along if strip or is_lowest else ""
+        axes = add_axes(figure, above, "" if strip else label, _ordinate(curve, several=several))
         if place == 0:
-            _name(axes, groups, variants, looks)
+            _entries(axes, groups, variants, looks)
         lines = _draw(axes, group, looks)
         _draw_known(axes, group, variants, looks)
-        _finish(axes, first, above[2], labelled=bool(words) and not strip, top=place < columns)
+        _finish(axes, curve, above[2], labelled=bool(label) and not strip, top=place < columns)
         _beyond(axes, group.layers, looks, lines)
         if names:
             name_ends(axes, _ends(group.layers, looks), above[3])
         if strip:
-            beneath = add_axes(figure, below, words, f"difference [{first.unit}]")
+            beneath = add_axes(figure, below, label, f"difference [{curve.unit}]")
             _draw_changes(beneath, group.changes, looks)
-            _say(beneath, f"to {shortened(variants[0].title)}")
+            _note(beneath, f"to {shortened(variants[0].title)}")
             beneath.set_xlim(axes.get_xlim())
             beneath.set_xticks(axes.get_xticks())
             beneath.set_xlim(axes.get_xlim())
@@ -132,13 +132,13 @@ def overlay_figure(
                 name_ends(beneath, _ends(group.changes, looks), below[3])
     if not looks.named:
         order = Scale("variant, in the order of the case", range(1, len(variants) + 1))
-        _bar(figure, scale or order, boxes)
-    top_legend(figure, *figure.axes, above=_room(groups[0].first, boxes[0][0][2]))
+        _colour_bar(figure, scale or order, boxes)
+    top_legend(figure, *figure.axes, above=_names_height(groups[0].first, boxes[0][0][2]))
     return figure
 
 
 def _ends(layers: Sequence[Layer], looks: Looks) -> list[End]:
-    """Names of the curves that reach the right edge."""
+    """Return the ends of the named curves that reach the right edge."""
     return [
         End(float(curve.y[-1]), curve.end, looks.colours[place], place)
         for place, curve in layers
@@ -152,7 +152,7 @@ def _ordinate(curve: Curve, *, several: bool) -> str:
 
 
 def _looks(groups: Sequence[Group], count: int, scale: Scale | None) -> Looks:
-    layers = sorted((each for group in groups for each in group.layers), key=lambda x: x.place)
+    layers = sorted((layer for group in groups for layer in group.layers), key=lambda x: x.place)
     series = list(dict.fromkeys(layer.curve.series for layer in layers))
     if count <= MOST_NAMED:
         return Looks([colour(k) for k in range(count)], series, named=True)
@@ -166,9 +166,9 @@ def _looks(groups: Sequence[Group], count: int, scale: Scale | None) -> Looks:
 def _layout(
     groups: Sequence[Group], *, strips: bool, bar: bool, names: bool
 ) -> tuple[Figure, list[tuple[Box, Box]], int]:
-    """A figure, for each panel its box and that of its differences [mm], and how many columns.
+    """Return a figure, boxes of each panel and of its differences [mm], and the number of columns.
 
-    Panels that are logarithmic, of resonances, are as wide as the figure.
+    Logarithmic panels, which show resonances, are as wide as the figure.
     """
     curve, count = groups[0].first, len(groups)
     resonances = all(group.first.log for group in groups)
@@ -179,8 +179,8 @@ def _layout(
     gap = 17.0 if columns > 1 else 0.0
     wide = (168.0 - LEFT - right - gap * (columns - 1)) / columns
     tall = 50.0 if resonances else 84.0 if count == 1 else 62.0 if len(rows) == 1 else 39.0
-    top = _room(curve, wide) + 6.0 if curve.places else 8.0
-    mixed = len({group.first.along for group in groups}) > 1  # named between rows
+    top = _names_height(curve, wide) + 6.0 if curve.places else 8.0
+    mixed = len({group.first.along for group in groups}) > 1  # labelled between rows
     between = (9.0 if curve.title else GAP) + (6.0 if mixed else 0.0)
     between += 1.0 if curve.places else 0.0
     under = [
@@ -190,18 +190,18 @@ def _layout(
     height = sum(under) + len(rows) * tall + (len(rows) - 1) * between
     figure = new_figure(168.0, BELOW + height + top)
     boxes, foot = [], BELOW + height
-    for row, room in zip(rows, under, strict=True):
-        foot -= tall + room
+    for row, space in zip(rows, under, strict=True):
+        foot -= tall + space
         for column, group in enumerate(row):
-            left, below = LEFT + column * (wide + gap), room if group.changes else 0.0
-            panel = (left, foot + below, wide, tall + room - below)
+            left, below = LEFT + column * (wide + gap), space if group.changes else 0.0
+            panel = (left, foot + below, wide, tall + space - below)
             boxes.append((panel, (left, foot, wide, changes)))
         foot -= between
     return figure, boxes, columns
 
 
-def _room(curve: Curve, wide: float) -> float:
-    """Height of the names of places above a panel [mm]."""
+def _names_height(curve: Curve, wide: float) -> float:
+    """Return the height of the names of places above a panel [mm]."""
     if not curve.places:
         return 0.0
     ends = float(curve.x[0]), float(curve.x[-1])
@@ -226,20 +226,20 @@ def _draw_changes(axes: Axes, changes: Sequence[Layer], looks: Looks) -> None:
 
 
 def _plot(
-    axes: Axes, layers: Sequence[Layer], looks: Looks, ceiling: float, **own: Any
+    axes: Axes, layers: Sequence[Layer], looks: Looks, ceiling: float, **style: Any
 ) -> list[Line2D]:
-    """A line for each curve up to the ceiling; marks alone where points are too few for one."""
+    """Draw a line for each curve up to the ceiling; only marks if it has too few points."""
     lines = []
     for place, curve in layers:
-        (x, y), look = curve.drawn, looks.of(place, curve.series) | own
+        (x, y), look = curve.drawn, looks.of(place, curve.series) | style
         look |= _dots(look) if curve.dotted else {}
         lines += axes.plot(x, under(y, ceiling), **look)
     return lines
 
 
 def _beyond(axes: Axes, layers: Sequence[Layer], looks: Looks, lines: list[Line2D]) -> None:
-    """What lies beyond an axis that has its limits: lines leave the frame, points too few for one
-    are triangles at its edge."""
+    """Draw values beyond an axis with fixed limits: lines leave the frame, points of curves without
+    a line are triangles at its edge."""
     low, high = axes.get_ylim()
     for (place, curve), line in zip(layers, lines, strict=True):
         (x, y), look = curve.drawn, looks.of(place, curve.series)
@@ -248,10 +248,10 @@ def _beyond(axes: Axes, layers: Sequence[Layer], looks: Looks, lines: list[Line2
         if not curve.dotted:
             line.set_ydata(np.clip(y, 2.0 * low - high, 2.0 * high - low))
             continue
-        for off, edge, sign in ((y > high, high, "^"), (y < low, low, "v")):
-            if off.any():
+        for outside, edge, sign in ((y > high, high, "^"), (y < low, low, "v")):
+            if outside.any():
                 marks = look | _dots({"marker": sign})
-                axes.plot(x[off], np.full(off.sum(), edge), **marks)
+                axes.plot(x[outside], np.full(outside.sum(), edge), **marks)
                 axes.plot([], [], label=BEYOND, **marks | {"color": GREY})
 
 
@@ -261,7 +261,7 @@ def _dots(look: dict[str, Any]) -> dict[str, Any]:
 
 
 def _finish(axes: Axes, curve: Curve, wide: float, *, labelled: bool, top: bool) -> None:
-    """Limits, ticks, title and, on ``top`` of the figure, names of places."""
+    """Set limits, ticks, title and, at the ``top`` of the figure, names of places."""
     low, high = float(curve.x[0]), float(curve.x[-1])
     if curve.places:
         axes.set_xlim(low, high)
@@ -283,7 +283,7 @@ def _finish(axes: Axes, curve: Curve, wide: float, *, labelled: bool, top: bool)
 
 
 def _draw_known(axes: Axes, group: Group, variants: Sequence[Shown], looks: Looks) -> None:
-    """Published and measured values: black where all variants share them, else of its colour."""
+    """Draw published and measured values: black if all variants share them, else in its colour."""
     if not group.known:
         return
     top, several = float(group.first.x[-1]), len({subject for _, subject in group.known}) > 1
@@ -297,7 +297,7 @@ def _draw_known(axes: Axes, group: Group, variants: Sequence[Shown], looks: Look
         draw_references(axes, black, quantity, top, subject=several)
 
 
-def _say(axes: Axes, words: str) -> None:
+def _note(axes: Axes, words: str) -> None:
     axes.annotate(
         words,
         (0.0, 1.0),
@@ -311,8 +311,8 @@ def _say(axes: Axes, words: str) -> None:
     )
 
 
-def _name(axes: Axes, groups: Sequence[Group], variants: Sequence[Shown], looks: Looks) -> None:
-    """An entry of the legend for every variant, unless they are many, and for every series."""
+def _entries(axes: Axes, groups: Sequence[Group], variants: Sequence[Shown], looks: Looks) -> None:
+    """Add an entry of the legend for every variant, unless they are many, and every series."""
     layers = [layer for group in groups for layer in group.layers]
     solved = {k for k, c in layers if (np.isfinite(c.y) | (c.y > c.ceiling)).any()}
     dotted = all(curve.dotted for _, curve in layers)
@@ -328,8 +328,8 @@ def _name(axes: Axes, groups: Sequence[Group], variants: Sequence[Shown], looks:
         axes.plot([], [], color=BLACK, lw=1.2, ls=looks.dash(series), label=series)
 
 
-def _bar(figure: Figure, scale: Scale, boxes: Sequence[tuple[Box, Box]]) -> None:
-    """The colours of the values, beside all panels."""
+def _colour_bar(figure: Figure, scale: Scale, boxes: Sequence[tuple[Box, Box]]) -> None:
+    """Draw the colour bar of the values, at the right of all panels."""
     tops = [above[1] + above[3] for above, _ in boxes]
     box = (168.0 - BAR - 2.0, boxes[-1][0][1], 3.0, max(tops) - boxes[-1][0][1])
     low, high = float(min(scale.values)), float(max(scale.values))

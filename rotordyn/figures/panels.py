@@ -1,4 +1,4 @@
-"""Variants side by side: the main figure of an analysis, small, once for each of them."""
+"""Variants side by side: a small main figure of an analysis for each variant."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 ON_A_PAGE, MOST_PAGES = 6, 2
-FAR = 20.0  # [mm] between panels: each has numbers of its own
+FAR = 20.0  # [mm] between panels: at larger gaps each has its tick labels
 Box = tuple[float, float, float, float]
 
 
@@ -24,12 +24,12 @@ def _none(*_: Any) -> None:
 
 
 class Panel(NamedTuple):
-    """How the main figure of an analysis is drawn onto axes that it is given.
+    """Functions and sizes that draw the main figure of an analysis on given axes.
 
-    ``draw(axes, variant, shared)``, with labels of the axes; ``shared(variants)``: what all panels
-    have in common, such as limits. ``scale(figure, axes, variant, box)``: what its colours mean,
-    drawn once, beside the ``box`` [mm]. ``margins``: left, right, bottom, top of the figure and
-    ``gaps`` across and down between panels ``tall`` high [mm].
+    ``draw(axes, variant, shared)``, with labels of the axes; ``shared(variants)``: data common to
+    all panels, such as limits. ``scale(figure, axes, variant, box)``: the colour scale, drawn once
+    next to the ``box`` [mm]. ``margins``: left, right, bottom, top of the figure, and ``gaps``
+    across and down between panels ``tall`` high [mm].
     """
 
     name: str
@@ -42,16 +42,16 @@ class Panel(NamedTuple):
 
 
 def pages(variants: Sequence[Shown]) -> list[Sequence[Shown]]:
-    """Variants by page; none of so many that they would not be read."""
+    """Divide variants into pages; none if there would be too many pages."""
     if len(variants) > ON_A_PAGE * MOST_PAGES:
         return []
     return [variants[k : k + ON_A_PAGE] for k in range(0, len(variants), ON_A_PAGE)]
 
 
 def panels_figure(panel: Panel, variants: Sequence[Shown], page: Sequence[Shown]) -> Figure:
-    """A panel per variant of the ``page`` on equal axes, two beside each other.
+    """Draw a panel for each variant of the ``page`` on equal axes, in two columns.
 
-    Labels of axes are not repeated; the legend stands in the cell that is left over, or above.
+    Labels of axes are not repeated; the legend is in the empty cell, or above.
     """
     shared, columns = panel.shared(variants), min(len(page), 2)
     rows = math.ceil(len(page) / columns)

@@ -1,5 +1,5 @@
-"""Writes PNG files. Line drawings of 300 dpi take half the time that Pillow needs, which tries five
-filters on every row: here each row is its difference to the one above, mostly zero."""
+"""Writer of PNG files. Line drawings of 300 dpi take half the time that Pillow needs, which tries
+five filters on every row: here each row is its difference to the one above, mostly zero."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ INCH = 0.0254
 
 
 class _Pixels(io.BytesIO):
-    """Takes the pixels of a figure as matplotlib writes them, shape (rows, columns, 4)."""
+    """Buffer of the pixels of a figure as matplotlib writes them, shape (rows, columns, 4)."""
 
     def write(self, buffer: Any) -> int:
         self.rgba = np.asarray(buffer)
@@ -29,21 +29,21 @@ class _Pixels(io.BytesIO):
 
 
 def write_png(figure: Figure, path: Path, dpi: float) -> None:
-    """Write ``figure``, whose ground is opaque, with ``dpi`` dots per inch."""
+    """Write ``figure``, whose background is opaque, with ``dpi`` dots per inch."""
     pixels = _Pixels()
     figure.savefig(pixels, format="rgba", dpi=dpi)
     path.write_bytes(encoded(pixels.rgba[..., :3], dpi))
 
 
 def encoded(rgb: Any, dpi: float) -> bytes:
-    """The file of pixels, shape (rows, columns, 3) of 8 bits."""
+    """Return the PNG file of pixels, shape (rows, columns, 3) of 8 bits."""
     height, width, _ = rgb.shape
     rows = np.empty((height, 1 + 3 * width), np.uint8)
     rows[:, 0] = UP
     for place in range(3):  # without a copy of all pixels
-        one, out = rgb[..., place], rows[:, 1 + place :: 3]
-        out[0] = one[0]
-        np.subtract(one[1:], one[:-1], out=out[1:])
+        channel, out = rgb[..., place], rows[:, 1 + place :: 3]
+        out[0] = channel[0]
+        np.subtract(channel[1:], channel[:-1], out=out[1:])
     per_metre = round(dpi / INCH)
     return SIGNATURE + b"".join(
         (

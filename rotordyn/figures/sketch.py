@@ -1,4 +1,4 @@
-"""Strokes of a drawing collected first and handed to matplotlib as few artists."""
+"""Strokes of a drawing, collected and passed to matplotlib as few artists."""
 
 from __future__ import annotations
 
@@ -24,17 +24,17 @@ class Sketch:
     def polygon(
         self, points: Points, face: str, edge: str = "#333333", width: float = 0.7, z: int = 2
     ) -> None:
-        """A filled outline."""
+        """Add a filled polygon."""
         self.polygons[face, edge, width, z].append(points)
 
     def box(self, left: float, right: float, low: float, high: float, face: str, **k: Any) -> None:
-        """A filled rectangle."""
+        """Add a filled rectangle."""
         self.polygon([(left, low), (right, low), (right, high), (left, high)], face, **k)
 
     def circle(self, x: float, y: float, radius: float, face: str, **k: Any) -> None:
-        """A filled circle."""
-        turn = np.linspace(0.0, 2.0 * np.pi, 37)
-        ring = np.column_stack([x + radius * np.cos(turn), y + radius * np.sin(turn)])
+        """Add a filled circle."""
+        angle = np.linspace(0.0, 2.0 * np.pi, 37)
+        ring = np.column_stack([x + radius * np.cos(angle), y + radius * np.sin(angle)])
         self.polygon(ring.tolist(), face, **k)
 
     def line(
@@ -45,11 +45,11 @@ class Sketch:
         style: str = "solid",
         z: int = 3,
     ) -> None:
-        """A broken line."""
+        """Add a polyline."""
         self.lines[colour, width, style, z].append(points)
 
     def cross(self, left: float, right: float, low: float, high: float, **look: Any) -> None:
-        """Both diagonals of a rectangle, with the ``look`` of a ``line``."""
+        """Add both diagonals of a rectangle, with the ``look`` of a ``line``."""
         self.line([(left, low), (right, high)], **look)
         self.line([(left, high), (right, low)], **look)
 

@@ -1,4 +1,4 @@
-"""Static loads as arrows on the half-section [mm]: y upwards, z towards who looks."""
+"""Static loads as arrows on the half-section [mm]: y upwards, z towards the viewer."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ FORCES, MOMENTS = ("Fx", "Fy", "Fz"), ("Mx", "My", "Mz")
 
 
 def draw_load(sketch: Sketch, spindle: Spindle, load: PointLoad, long: float) -> tuple[float, str]:
-    """An arrow ``long`` for every force of a load; returns its station and the words below it."""
+    """Draw an arrow ``long`` for every force of a load; return its station and label."""
     place = spindle.place(load.at)
     shaft = spindle.part(place.rotor).shaft
     x, radius = place.x * 1e3, shaft.diameters_at(place.x)[0] * 500.0
     if load.Fx:
-        short = 0.6 * long  # which fits beside the end of a shaft
+        short = 0.6 * long  # which fits at the end of a shaft
         side = -0.5 if abs(place.x - shaft.start) < abs(place.x - shaft.end) else 0.5
         _arrow(sketch, (x + side * short, 0.0), math.copysign(1.0, load.Fx), short, along=True)
     if load.Fy:
@@ -26,12 +26,12 @@ def draw_load(sketch: Sketch, spindle: Spindle, load: PointLoad, long: float) ->
         foot = -up * (radius + long / 2.0)
         _arrow(sketch, (x, foot), up, long, along=False)
     if load.Fz:
-        _across(sketch, x, radius + 0.35 * long, 0.2 * long, towards=load.Fz > 0.0)
+        _normal_force(sketch, x, radius + 0.35 * long, 0.2 * long, towards=load.Fz > 0.0)
     return x, "\n".join([load.name or "load", *_values(load)])
 
 
 def height(spindle: Spindle, load: PointLoad, long: float) -> float:
-    """Radius that its arrows reach."""
+    """Return the radius that the arrows of a load reach."""
     place = spindle.place(load.at)
     return spindle.part(place.rotor).shaft.diameters_at(place.x)[0] * 500.0 + long
 
@@ -42,22 +42,22 @@ def _values(load: PointLoad) -> list[str]:
 
 
 def _arrow(
-    sketch: Sketch, middle: tuple[float, float], way: float, long: float, *, along: bool
+    sketch: Sketch, middle: tuple[float, float], sense: float, length: float, *, along: bool
 ) -> None:
-    """An arrow about its ``middle`` along the axis or across it, its head the ``way`` it acts."""
-    (x, y), half, head = middle, 0.5 * long * way, 0.32 * long
+    """Draw an arrow about ``middle`` along the axis or across it, its ``sense`` ±1."""
+    (x, y), half, head = middle, 0.5 * length * sense, 0.32 * length
 
-    def at(ahead: float, beside: float) -> tuple[float, float]:
-        return (x + ahead, y + beside) if along else (x + beside, y + ahead)
+    def at(ahead: float, across: float) -> tuple[float, float]:
+        return (x + ahead, y + across) if along else (x + across, y + ahead)
 
-    neck = half - head * way
+    neck = half - head * sense
     sketch.line([at(-half, 0.0), at(neck, 0.0)], GREEN, 1.8, z=9)
     tip = [at(half, 0.0), at(neck, 0.4 * head), at(neck, -0.4 * head)]
     sketch.polygon(tip, GREEN, edge=GREEN, z=9)
 
 
-def _across(sketch: Sketch, x: float, y: float, radius: float, *, towards: bool) -> None:
-    """A force across the drawing: the tip of its arrow (a dot) or its feathers (a cross)."""
+def _normal_force(sketch: Sketch, x: float, y: float, radius: float, *, towards: bool) -> None:
+    """Draw a force normal to the drawing: the tip of its arrow (a dot) or its tail (a cross)."""
     sketch.circle(x, y, radius, "#FFFFFF", edge=GREEN, width=1.2, z=9)
     if towards:
         sketch.circle(x, y, 0.3 * radius, GREEN, edge=GREEN, z=10)

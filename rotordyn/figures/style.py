@@ -1,5 +1,5 @@
-"""One report style for every figure: 168 mm wide, which fits A4, fixed margins, colours that all
-eyes can tell, dashes and marks that tell lines apart without them."""
+"""Report style of all figures: 168 mm wide, which fits A4, fixed margins, colours that are
+distinct to the colour-blind, dashes and marks that distinguish lines without colour."""
 
 from __future__ import annotations
 
@@ -29,12 +29,12 @@ ORANGE, SKY, BLACK, GREY = "#E69F00", "#56B4E9", "#222222", "#8A8A8A"
 CYCLE = (BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK)
 DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 1)), (0, (7, 2)))
 MARKS = {"-": "o", "--": "s", "-.": "^", ":": "v"}  # of lone points, by the dashes of their line
-POINTS = ("o", "s", "^", "D", "v", "P")  # fewer than colours: both differ on
+POINTS = ("o", "s", "^", "D", "v", "P")  # fewer than colours, so that pairs differ for longer
 FONT_SIZE = 8.0
-STEADY = 1e-4  # of a value: an ordinate that spans less is widened to it
+STEADY = 1e-4  # of a value: least span of an ordinate to either side
 HEAD_SIDE, HEAD_LINE, HEAD_COLOUR = 4.0, 3.4, "#555555"  # of the title at the top [mm]
-EMPTY = 0.25  # of an axis from zero, before its values begin
-LEVEL = 1e-6  # of the largest value: what lies less below zero is rounding
+EMPTY = 0.25  # of an axis from zero: largest part without values
+LEVEL = 1e-6  # of the largest value: smaller negative values are rounding
 _RC: Any = {
     "font.size": FONT_SIZE,
     "axes.titlesize": FONT_SIZE,
@@ -61,7 +61,7 @@ _RC: Any = {
     "axes.formatter.use_mathtext": False,
     "text.parse_math": False,
 }
-_SAVED: Mapping[str, Any] = {  # without dates: a figure drawn twice is the same file
+_SAVED: Mapping[str, Any] = {  # without dates, so that a figure drawn twice gives the same file
     "pdf": {"metadata": {"CreationDate": None}},
     "svg": {"metadata": {"Date": None}},
 }
@@ -69,7 +69,7 @@ _SAVED: Mapping[str, Any] = {  # without dates: a figure drawn twice is the same
 
 @contextmanager
 def own_settings() -> Iterator[None]:
-    """matplotlib as it is delivered, whatever style files the user has: figures come out alike."""
+    """Set the defaults of matplotlib, so that figures do not depend on style files of the user."""
     from matplotlib import rc_context, rcParamsDefault
 
     delivered: Any = {name: value for name, value in rcParamsDefault.items() if name != "backend"}
@@ -80,7 +80,7 @@ def own_settings() -> Iterator[None]:
 def new_figure(
     width: float = 168.0, height: float = 105.0, title: str = "", dpi: float = DPI
 ) -> Figure:
-    """An empty figure of ``width`` × ``height`` [mm]; ``dpi``: of its PNG."""
+    """Return an empty figure of ``width`` × ``height`` [mm]; ``dpi``: of its PNG."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 
     from rotordyn.figures.canvas import ShownFigure
@@ -88,15 +88,15 @@ def new_figure(
     figure = ShownFigure(figsize=(width / 25.4, height / 25.4), dpi=dpi)
     FigureCanvasAgg(figure)
     if title:
-        high = 1.0 - 4.5 / height
-        figure.text(0.5, high, title, ha="center", va="center", fontsize=FONT_SIZE + 1.0)
+        title_y = 1.0 - 4.5 / height
+        figure.text(0.5, title_y, title, ha="center", va="center", fontsize=FONT_SIZE + 1.0)
     return figure
 
 
 def add_axes(
     figure: Figure, box: Sequence[float], x_label: str = "", y_label: str = "", **kwargs: Any
 ) -> Axes:
-    """Axes in ``box`` = left, bottom, width, height [mm from the lower left corner]."""
+    """Add axes in ``box`` = left, bottom, width, height [mm from the lower left corner]."""
     from matplotlib import rc_context
 
     width, height = figure.get_size_inches() * 25.4
@@ -114,7 +114,7 @@ def add_axes(
 def colour_scale(
     figure: Figure, box: Sequence[float], low: float, high: float, label: str, colours: str
 ) -> Axes:
-    """A strip of ``colours`` from ``low`` to ``high`` in ``box`` [mm], its label at the right."""
+    """Draw a colour bar from ``low`` to ``high`` in ``box`` [mm], its label at the right."""
     axes = add_axes(figure, box)
     axes.imshow(
         np.linspace(0.0, 1.0, 128)[:, None],
@@ -141,7 +141,7 @@ def grid_boxes(
     margins: Sequence[float] = (15.0, 4.0, 12.0, 9.0),
     gaps: Sequence[float] = (17.0, 15.0),
 ) -> list[tuple[float, float, float, float]]:
-    """Boxes [mm] of equal panels, row by row from the top; margins: left, right, bottom, top."""
+    """Return boxes [mm] of equal panels, by row from the top; margins: left, right, bottom, top."""
     width, height = figure.get_size_inches() * 25.4
     left, right, bottom, top = margins
     wide = (width - left - right - gaps[0] * (columns - 1)) / columns
@@ -154,13 +154,13 @@ def grid_boxes(
 
 
 def mark_lone_points(axes: Axes) -> None:
-    """Marks on points of lines that no segment leads to: a single speed, one between lost ones."""
+    """Mark points of lines without a segment: a single speed, or one between missing values."""
     for line in axes.get_lines():
-        known = np.isfinite(np.column_stack([line.get_xdata(), line.get_ydata()])).all(axis=1)
-        if not known.any():
-            line.set_markevery(None)  # which fails on a line that is not there
-        beside = np.pad(known, 1)
-        lone = np.flatnonzero(known & ~beside[:-2] & ~beside[2:])
+        finite = np.isfinite(np.column_stack([line.get_xdata(), line.get_ydata()])).all(axis=1)
+        if not finite.any():
+            line.set_markevery(None)  # which fails on an empty line
+        padded = np.pad(finite, 1)
+        lone = np.flatnonzero(finite & ~padded[:-2] & ~padded[2:])
         plain = line.get_marker() in ("None", "", None)
         if lone.size and (plain or line.get_markevery() is not None):
             line.set_marker(
@@ -170,13 +170,13 @@ def mark_lone_points(axes: Axes) -> None:
 
 
 def evenly(count: int, most: int) -> NDArray[np.intp]:
-    """At most so many of ``count`` places, the first and the last among them (places,)."""
+    """Return at most ``most`` evenly spaced indices of ``count``, with the first and the last."""
     return np.unique(np.linspace(0, count - 1, min(count, most)).round().astype(np.intp))
 
 
 def mark_few_points(axes: Axes) -> None:
-    """Marks instead of a line through fewer than ``LEAST_POINTS`` points, which would claim what
-    lies between them: filled where the line is solid, open where it is dashed."""
+    """Replace a line through fewer than ``LEAST_POINTS`` points, which would suggest values between
+    them, by marks: filled if the line is solid, open if it is dashed."""
     for line in axes.get_lines():
         across = line.get_transform() != axes.transData  # from edge to edge of the axes
         if across or not 1 < np.size(line.get_xdata()) < LEAST_POINTS:
@@ -191,15 +191,15 @@ def mark_few_points(axes: Axes) -> None:
 
 
 def line_of(place: int, dash: int | None = None) -> dict[str, Any]:
-    """Colour and dashes of the line at a ``place`` among several; ``dash``: its place among dashes
-    where these mean something else."""
+    """Return colour and dashes of the line at index ``place``; ``dash``: its index among dashes if
+    these have another meaning."""
     dashes = DASHES[(place if dash is None else dash) % len(DASHES)]
     return {"color": CYCLE[place % len(CYCLE)], "ls": dashes}
 
 
 def marked(place: int) -> dict[str, Any]:
-    """Marks here and there along the line at a ``place`` among several, the first without: they
-    tell lines apart where dashes mean something else."""
+    """Return sparse marks along the line at index ``place``, none for the first: they distinguish
+    lines where dashes have another meaning."""
     if place == 0:
         return {}
     sign = POINTS[(place - 1) % len(POINTS)]
@@ -213,7 +213,7 @@ def marked(place: int) -> dict[str, Any]:
 
 
 def note_error(axes: Axes, error: float) -> None:
-    """The estimated relative error of what is drawn, in small print below the right corner."""
+    """Write the estimated relative error of the curves below the right corner, in small print."""
     if error > 0.0:
         axes.text(
             1.0,
@@ -228,14 +228,14 @@ def note_error(axes: Axes, error: float) -> None:
 
 
 def speed_ticks(axes: Axes, top: float, most: int = 6, low: float = 0.0) -> None:
-    """Speed axis from ``low`` to ``top`` [rpm] with round ticks, at most ``most`` + 1."""
+    """Set a speed axis from ``low`` to ``top`` [rpm] with at most ``most`` + 1 round ticks."""
     axes.set_xlim(low, max(top, 1.0))
     axes.set_xticks(round_ticks(low, max(top, 1.0), most))
 
 
 def axis_start(low: float, high: float) -> float:
-    """Where an axis of values from ``low`` to ``high`` begins: at zero, unless more than a quarter
-    of it were empty.
+    """Return the start of an axis of values from ``low`` to ``high``: zero, unless more than a
+    quarter of it were empty.
 
     >>> axis_start(3000.0, 24000.0), axis_start(20000.0, 60000.0)
     (0.0, 20000.0)
@@ -243,11 +243,11 @@ def axis_start(low: float, high: float) -> float:
     return low if low > EMPTY * high else min(low, 0.0)
 
 
-_STEPS = ((1,), (1, 2, 5), (1, 2, 3, 4, 6, 8))  # of a decade that bear ticks
+_STEPS = ((1,), (1, 2, 5), (1, 2, 3, 4, 6, 8))  # multiples of a decade with ticks
 
 
 def log_ticks(low: float, high: float) -> list[tuple[float, str]]:
-    """Values for a logarithmic axis and how they are printed: decades, or more of each when few.
+    """Return ticks of a logarithmic axis and their labels: decades, or more of each if few.
 
     >>> log_ticks(0.005, 1.2)
     [(0.01, '0.01'), (0.1, '0.1'), (1.0, '1')]
@@ -274,7 +274,7 @@ def _short(value: float) -> str:
 
 
 def round_ticks(low: float, high: float, most: int) -> list[float]:
-    """At most ``most`` + 1 round values between ``low`` and ``high``.
+    """Return at most ``most`` + 1 round values between ``low`` and ``high``.
 
     >>> round_ticks(0.0, 24000.0, 6)
     [0.0, 4000.0, 8000.0, 12000.0, 16000.0, 20000.0, 24000.0]
@@ -288,16 +288,16 @@ def round_ticks(low: float, high: float, most: int) -> list[float]:
 
 
 def finish(figure: Figure) -> Figure:
-    """The figure with what is known only when all is drawn: marks on lone points, room about what
-    hardly changes."""
+    """Complete a figure after all is drawn: marks on lone points, wider ordinates of nearly
+    constant values."""
     for axes in figure.axes:
         mark_lone_points(axes)
-        _open(axes)
+        _widen(axes)
     return figure
 
 
-def _open(axes: Axes) -> None:
-    """A wider ordinate where its ends are nearly alike, as of a constant with its rounding."""
+def _widen(axes: Axes) -> None:
+    """Widen an ordinate with nearly equal ends, as of a constant with rounding errors."""
     low, high = axes.get_ylim()
     size = max(abs(low), abs(high))
     if axes.get_yscale() == "linear" and axes.lines and abs(high - low) < STEADY * size:
@@ -306,7 +306,7 @@ def _open(axes: Axes) -> None:
 
 
 def head(figure: Figure, words: str) -> Figure:
-    """Put ``words``, what machine and case it is about, at the top of ``figure``, which grows."""
+    """Write ``words``, the machine and case, at the top of ``figure``, which grows."""
     width = figure.get_size_inches()[0] * 25.4
     room = (width - 2.0 * HEAD_SIDE) / max(text_width(words, FONT_SIZE - 0.5), 1.0)
     lines = [words] if room >= 1.0 else textwrap.wrap(words, int(0.94 * room * len(words)))
@@ -326,7 +326,7 @@ def head(figure: Figure, words: str) -> Figure:
 
 
 def text_width(words: str, size: float) -> float:
-    """Width of a line of text [mm]."""
+    """Return the width of a line of text [mm]."""
     from matplotlib.font_manager import FontProperties
 
     measure, font = measuring(DPI).get_text_width_height_descent, FontProperties(size=size)
@@ -335,14 +335,14 @@ def text_width(words: str, size: float) -> float:
 
 @cache
 def measuring(dpi: float) -> Any:
-    """A renderer that measures texts: without the pixels of a figure, to make which takes 10 ms."""
+    """Return a renderer that measures texts, without the pixels of a figure, which take 10 ms."""
     from matplotlib.backends.backend_agg import RendererAgg
 
     return RendererAgg(1.0, 1.0, dpi)  # type: ignore[no-untyped-call]
 
 
 def grow(figure: Figure, more: float) -> None:
-    """Make ``figure`` higher by ``more`` [mm] at its top; what it shows stays where it is."""
+    """Extend ``figure`` by ``more`` [mm] at its top; its contents stay in place."""
     width, height = figure.get_size_inches() * 25.4
     share = height / (height + more)
     for axes in figure.axes:
@@ -377,7 +377,7 @@ def save(figure: Figure, folder: Path, name: str, formats: Sequence[str] = USUAL
 
 
 def with_zero(axes: Axes, room: float) -> None:
-    """Limits of the ordinate that hold zero: at the bottom, unless values go below it."""
+    """Set limits of the ordinate that include zero: at the bottom, unless values are below it."""
     low, high = axes.get_ylim()
     below = low if axes.dataLim.ymin < -LEVEL * abs(axes.dataLim.ymax) else 0.0
     axes.set_ylim(below * room, max(high, 0.0) * room)

@@ -1,4 +1,4 @@
-"""How bearings, sleeves, springs, supports and the drawbar are drawn [mm]."""
+"""Symbols of bearings, sleeves, springs, ground and the drawbar on a half-section [mm]."""
 
 from __future__ import annotations
 
@@ -15,48 +15,48 @@ from rotordyn.machine.shaft import Shaft
 
 RING, BALL, SLEEVE, GROUND, BAR = "#C9D3DC", "#FFFFFF", "#E9DFC7", "#555555", "#A8B0B8"
 Line = list[tuple[float, float]]
-FLATTEST = math.radians(60.0)  # contact lines leaning further do not reach the axis
+FLATTEST = math.radians(60.0)  # contact lines of larger angles do not reach the axis
 ON_AXIS = 1e-9  # m
-MISFIT = 0.02  # of the shaft's diameter: a bore that differs more does not belong on it
+MISFIT = 0.02  # of the shaft diameter: a bore that differs more does not fit
 SLEEVE_WALL = 9.0
 GROUND_DEPTH = 1.8  # units of its hatching
 
 
 def contact_lines(seat: BearingSeat) -> list[Line]:
-    """Lines along which a ball can carry, each from the axis through the ball centre [m].
+    """Return the contact lines of a ball, each from the axis through the ball centre [m].
 
-    Pushing the inner ring the way of ``thrust`` presses the ball against the outer race ahead of
-    it: the line leans forward, and meets the axis ``thrust`` · r · tan α behind the bearing, the
-    pressure centre. A line flatter than ``FLATTEST`` is cut before the axis.
+    A push on the inner ring in the direction of ``thrust`` presses the ball against the outer race
+    ahead of it: the line leans forward, and meets the axis ``thrust`` · r · tan α behind the
+    bearing, the pressure centre. A line flatter than ``FLATTEST`` ends before the axis.
     """
-    ball, past = seat.bearing.pitch_diameter / 2.0, 1.1 * seat.bearing.ball_diameter
+    ball, beyond = seat.bearing.pitch_diameter / 2.0, 1.1 * seat.bearing.ball_diameter
     lines = []
     for angle in seat.bearing.contact_lines:
         upright = max(abs(math.cos(angle)), math.cos(FLATTEST))
         rise, lean = math.cos(angle) / upright, seat.thrust * math.sin(angle) / upright
-        lines.append([(seat.x + lean * end, ball + rise * end) for end in (-ball, past)])
+        lines.append([(seat.x + lean * end, ball + rise * end) for end in (-ball, beyond)])
     return lines
 
 
 def outside_of(seat: BearingSeat) -> float:
-    """Radius of its outer ring as it is drawn [mm]."""
+    """Return the radius of the outer ring as drawn [mm]."""
     return (seat.bearing.pitch_diameter / 2.0 + 1.05 * seat.bearing.ball_diameter) * 1e3
 
 
 def bore_of(seat: BearingSeat, shaft_radius: float) -> float:
-    """Radius of the bore of its inner ring as it is drawn [mm].
+    """Return the radius of the bore of the inner ring as drawn [mm].
 
-    That of the shaft [m], unless its model gives one which the shaft does not fit: this is shown.
+    It is that of the shaft [m], unless the model gives a bore that the shaft does not fit.
     """
-    known = seat.sizes.get("bore_diameter", 2.0 * shaft_radius) / 2.0
-    if abs(known - shaft_radius) > MISFIT * shaft_radius:
-        return known * 1e3
-    least = seat.bearing.pitch_diameter / 2.0 - 0.35 * seat.bearing.ball_diameter
-    return min(shaft_radius, least) * 1e3
+    bore = seat.sizes.get("bore_diameter", 2.0 * shaft_radius) / 2.0
+    if abs(bore - shaft_radius) > MISFIT * shaft_radius:
+        return bore * 1e3
+    largest = seat.bearing.pitch_diameter / 2.0 - 0.35 * seat.bearing.ball_diameter
+    return min(shaft_radius, largest) * 1e3
 
 
 def draw_bearing(sketch: Sketch, seat: BearingSeat, width: float, shaft_radius: float) -> None:
-    """Upper half cut with ball and contact lines, lower half as a crossed box; [m] in, [mm] out."""
+    """Draw a bearing [m]: upper half cut with ball and contact lines, lower half a crossed box."""
     ball, pitch = seat.bearing.ball_diameter * 1e3, seat.bearing.pitch_diameter * 500.0
     left, right, x = (seat.x - width / 2.0) * 1e3, (seat.x + width / 2.0) * 1e3, seat.x * 1e3
     bore, outside = bore_of(seat, shaft_radius), outside_of(seat)
@@ -73,15 +73,15 @@ def draw_bearing(sketch: Sketch, seat: BearingSeat, width: float, shaft_radius: 
 
 
 def spring(start: tuple[float, float], end: tuple[float, float], half: float) -> Line:
-    """A zigzag of half-height ``half`` between two points."""
+    """Return a zigzag of half-height ``half`` between two points."""
     a, b = np.array(start), np.array(end)
     along, across = b - a, np.array([a[1] - b[1], b[0] - a[0]])
     across = across / np.hypot(*across) * half
     steps = [(0.0, 0.0), (0.12, 0.0)]
     steps += [(0.12 + 0.76 * (k + 0.5) / 6.0, (-1.0) ** k) for k in range(6)]
     steps += [(0.88, 0.0), (1.0, 0.0)]
-    places = [a + along * s + across * t for s, t in steps]
-    return [(float(p[0]), float(p[1])) for p in places]
+    points = [a + along * s + across * t for s, t in steps]
+    return [(float(p[0]), float(p[1])) for p in points]
 
 
 def draw_ground(
@@ -94,7 +94,7 @@ def draw_ground(
     side: float,
     unit: float = 1.0,
 ) -> None:
-    """A hatched wall through (x, y), its hatching, in ``unit`` mm, towards ``side`` (+1 or −1)."""
+    """Draw a wall through (x, y), hatched in ``unit`` mm towards ``side`` (+1 or −1)."""
     count, depth, step = max(round(2.0 * half / (2.2 * unit)), 2), GROUND_DEPTH * unit, 1.2 * unit
 
     def at(along: float, into: float) -> tuple[float, float]:
@@ -106,7 +106,7 @@ def draw_ground(
 
 
 def sleeve_top(carried: Iterable[BearingSeat]) -> float:
-    """Radius of the outside of the sleeve over its bearings [mm]."""
+    """Return the outer radius of the sleeve over its bearings [mm]."""
     return max(outside_of(seat) for seat in carried) + SLEEVE_WALL
 
 
@@ -121,9 +121,9 @@ def draw_sleeve(
     rigid: bool,
     grounded: bool,
 ) -> None:
-    """A sleeve over its bearings, its spring, and its stop; one of a ``rigid`` preload is held.
+    """Draw a sleeve over its bearings, its spring and its stop; of ``rigid`` preload it is fixed.
 
-    The spring pushes against ``thrust``, so it stands on the ``thrust`` side; the stop waits there.
+    The spring pushes against ``thrust``, so that it is on the ``thrust`` side, like the stop.
     """
     top = base + SLEEVE_WALL
     sketch.box(left, right, base, top, SLEEVE, z=4)
@@ -144,9 +144,9 @@ def draw_sleeve(
 
 
 def draw_drawbar(sketch: Sketch, bar: Drawbar, shaft: Shaft) -> None:
-    """The bar in the cut half of the bore, as wide as it where guided everywhere; [m] in, [mm] out.
+    """Draw the drawbar [m] in the cut half of the bore, as wide as the bore if guided everywhere.
 
-    A plate at either end, where it pulls the shaft; a ring at every guide.
+    It has a plate at either end, where it pulls the shaft, and a ring at every guide.
     """
     bore = _narrowest(bar, shaft) * 500.0
     radius = 0.55 * bore if bar.contacts else bore
@@ -160,7 +160,7 @@ def draw_drawbar(sketch: Sketch, bar: Drawbar, shaft: Shaft) -> None:
 
 
 def _narrowest(bar: Drawbar, shaft: Shaft) -> float:
-    """Narrowest bore along the bar [m]; where there is none, a third of the shaft."""
+    """Return the narrowest bore along the bar [m]; without a bore, a third of the shaft."""
     edges = shaft.boundaries
     along = [
         section

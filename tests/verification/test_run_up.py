@@ -11,7 +11,7 @@ from scipy.integrate import solve_ivp
 import rotordyn
 from rotordyn.analyses.unbalance.orbit import orbit
 from rotordyn.analyses.unbalance.run_up import Parts, Run, blended
-from rotordyn.analyses.unbalance.runs import BETWEEN, SHOWN, _peaks, _Way
+from rotordyn.analyses.unbalance.runs import BETWEEN, SHOWN, _peaks, _SpeedRange
 from rotordyn.analyses.unbalance.solve import answer
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.analyses.unbalance.steady import displacement_rows, load_of, out_of_balance
@@ -247,7 +247,7 @@ def test_errors_fall_with_the_square_of_the_parts():
     case = friswell(0.0, 3000.0)
     spec, speed = case.analyses["unbalance"], np.array(case.speeds)
     scene = Scene(case.spindle, case.conditions, speed, 200.0, spec.places)
-    way = _Way(scene, spec, 1.0)
+    way = _SpeedRange(scene, spec, 1.0)
     truth, *rest = (way.axes(c, 5.0, down=False)[0][:, :2] for c in (480, 30, 60, 120, 240))
     errors = np.array([np.abs(each - truth).max() for each in rest])
     assert (errors[:-1] > 2.0 * errors[1:]).all()

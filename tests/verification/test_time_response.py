@@ -21,10 +21,10 @@ from rotordyn.analyses.frf.solve import answer as frf_answer
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.time_response.equation import Equation
 from rotordyn.analyses.time_response.forces import impulse, marked, mean_inputs, values
-from rotordyn.analyses.time_response.march import Step, _fitted, march
+from rotordyn.analyses.time_response.march import Step, _nodal_inputs, march
 from rotordyn.analyses.time_response.nonlinear import Nonlinear
 from rotordyn.analyses.time_response.peaks import longest
-from rotordyn.analyses.time_response.solve import _on_orbit, answer
+from rotordyn.analyses.time_response.solve import _steady_start, answer
 from rotordyn.analyses.time_response.spec import ForceOverTime, TimeResponseSpec
 from rotordyn.analyses.time_response.summary import accuracy, summary, warnings
 from rotordyn.analyses.unbalance.solve import answer as unbalance_answer
@@ -252,7 +252,7 @@ def test_an_orbit_that_no_solver_finds_is_not_one_at_rest() -> None:
         speed=np.array([[2.0], [1.0]]),
         inputs=np.ones((1, len(spec.ports))),
     )
-    displacement, velocity = _on_orbit(spec, equation)
+    displacement, velocity = _steady_start(spec, equation)
     assert np.isinf([displacement[0], velocity[0]]).all()
     assert np.isfinite([displacement[1], velocity[1]]).all()
 
@@ -428,7 +428,7 @@ def test_linear_steps_together_are_those_one_by_one(
     )
     state = np.concatenate([still, still], axis=1)
     for k in range(25):
-        given = _fitted(inputs, 4e-5, k, 1)[0]
+        given = _nodal_inputs(inputs, 4e-5, k, 1)[0]
         expected = step.seen(state, given)
         atol = 1e-12 * np.abs(path.points).max()
         np.testing.assert_allclose(path.points[:, 2 * k + 1 : 2 * k + 3], expected, 0.0, atol)

@@ -1,4 +1,4 @@
-"""Stable depth of cut over speed."""
+"""Stability lobes: stable depth of cut over speed."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
 """Chips of the teeth of a cutter in a rigid machine, with run-out.
 
-A tooth at the angle φ takes off what the deepest of those before it left there: with F the feed
-since that one and D by how much it stands out farther, h = F sin φ + D. Where that is below 0 the
-tooth is not in cut, and the next one takes off more.
+A tooth at the angle φ cuts down to the surface that the deepest of the previous teeth left there:
+with F the feed since that one and D the difference of their run-out, h = F sin φ + D. Where h is
+below 0 the tooth is not in cut, and the next one has a thicker chip.
 
 Theory: docs/theory/lobes.md.
 """
@@ -26,8 +26,8 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class Chip:
-    """What a ``tooth`` takes off from ``entry`` to ``exit`` [rad]: ``feed`` sin φ + ``height`` [m],
-    left by the tooth that passed there ``gap`` [rad] before."""
+    """Chip of a ``tooth`` from ``entry`` to ``exit`` [rad], ``feed`` sin φ + ``height`` [m] thick,
+    on a surface left by the tooth that passed there ``gap`` [rad] before."""
 
     tooth: int
     entry: float
@@ -38,8 +38,8 @@ class Chip:
 
 
 class Passed(NamedTuple):
-    """Since each of the teeth before one, itself last (teeth,): ``gap`` [rad], ``feed`` [m], and by
-    how much it stands out farther than that, ``height`` [m]."""
+    """Difference of a tooth from each of the previous teeth, itself last (teeth,): ``gap`` [rad],
+    ``feed`` [m], and run-out (``height``) [m]."""
 
     gap: Array
     feed: Array
@@ -48,45 +48,45 @@ class Passed(NamedTuple):
 
 @lru_cache
 def passed(cut: Cut, feed: float) -> tuple[Passed, ...]:
-    """Of all teeth of the pattern of a ``cut``, with ``feed`` by tooth [m] on average."""
+    """Return the differences of all teeth of the pattern, with mean ``feed`` by tooth [m]."""
     gaps = np.array(cut.gaps)
     count = len(gaps)
-    out, found = np.array(cut.runout[:count] or [0.0] * count), []
+    out, differences = np.array(cut.runout[:count] or [0.0] * count), []
     for tooth in range(count):
         before = (tooth - np.arange(count + 1)) % count  # itself, those before it, itself again
         gap, height = np.cumsum(gaps[before[:-1]]), out[tooth] - out[before[1:]]
-        found.append(Passed(gap, feed * cut.teeth * gap / (2.0 * math.pi), height))
-    return tuple(found)
+        differences.append(Passed(gap, feed * cut.teeth * gap / (2.0 * math.pi), height))
+    return tuple(differences)
 
 
 @lru_cache
 def chips(cut: Cut, feed: float) -> tuple[Chip, ...]:
-    """Chips of all teeth of the pattern of a ``cut``, with ``feed`` by tooth [m] on average."""
-    found = []
+    """Return the chips of all teeth of the pattern, with mean ``feed`` by tooth [m]."""
+    result = []
     for tooth, since in enumerate(passed(cut, feed)):
-        whole = [((cut.entry, cut.exit), 0)]
-        spans = _left_by(cut, since.feed, since.height) if cut.runout else whole
-        for (entry, exit), left in spans:
-            values = since.feed[left], since.height[left], since.gap[left]
-            found.append(Chip(tooth, entry, exit, *map(float, values)))
-    return tuple(found)
+        all_in_cut = [((cut.entry, cut.exit), 0)]
+        spans = _spans(cut, since.feed, since.height) if cut.runout else all_in_cut
+        for (entry, exit), earlier in spans:
+            values = since.feed[earlier], since.height[earlier], since.gap[earlier]
+            result.append(Chip(tooth, entry, exit, *map(float, values)))
+    return tuple(result)
 
 
-def _left_by(cut: Cut, feed: Array, height: Array) -> Iterator[tuple[tuple[float, float], int]]:
-    """Spans of angle in which a tooth is in cut, and the place among those before it of the one
-    that left the chip there: the least ``feed`` sin φ + ``height``, where that is above 0."""
+def _spans(cut: Cut, feed: Array, height: Array) -> Iterator[tuple[tuple[float, float], int]]:
+    """Yield spans of angle in which a tooth is in cut, and the index of the previous tooth that
+    left the surface: of the least ``feed`` sin φ + ``height``, where that is above 0."""
     steeper, higher = np.subtract.outer(feed, feed), np.subtract.outer(height, height)
     with np.errstate(divide="ignore", invalid="ignore"):
         sine = np.append((-higher / steeper)[np.triu_indices(len(feed), 1)], -height / feed)
-    turned = np.arcsin(sine[(sine > 0.0) & (sine <= 1.0)])
-    ends = np.concatenate([turned, math.pi - turned, [cut.entry, cut.exit]])
+    crossing = np.arcsin(sine[(sine > 0.0) & (sine <= 1.0)])
+    ends = np.concatenate([crossing, math.pi - crossing, [cut.entry, cut.exit]])
     ends = np.unique(ends[(ends >= cut.entry) & (ends <= cut.exit)])
-    inside = np.sin(0.3 * ends[1:] + 0.7 * ends[:-1])  # off the middle, where two may be alike
+    inside = np.sin(0.3 * ends[1:] + 0.7 * ends[:-1])  # not at the middle, where two may be equal
     thickness = feed[:, None] * inside + height[:, None]
-    left = np.where(thickness.min(axis=0) > 0.0, thickness.argmin(axis=0), -1)
+    earlier = np.where(thickness.min(axis=0) > 0.0, thickness.argmin(axis=0), -1)
     for which, spans in groupby(
-        zip(left.tolist(), pairwise(ends.tolist()), strict=True), lambda each: each[0]
+        zip(earlier.tolist(), pairwise(ends.tolist()), strict=True), lambda each: each[0]
     ):
-        known = [span for _, span in spans]
+        run = [span for _, span in spans]
         if which >= 0:
-            yield (known[0][0], known[-1][1]), which
+            yield (run[0][0], run[-1][1]), which

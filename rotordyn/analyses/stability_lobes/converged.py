@@ -1,13 +1,13 @@
-"""Limits of a model that knows all modes by which the cut may chatter.
+"""Stability limits of a model refined until it has all modes at which the cut may chatter.
 
 A slender tool has modes at several times the frequencies that other analyses ask for. A model that
 lacks them gives limits that are far too high, most of all between the lobes of the modes it has.
-So limits at some speeds are computed once more with a finer model and twice the frequencies; while
-they change, all are computed with that one. Between modes that are far apart doubling changes
-nothing: at the fastest speed and that of the deepest cut, of few speeds at all that are looked at,
-they are computed with the finest model too, which need not go beyond ``HIGHEST``: receptances are
-not looked at there either. Unlike other analyses, whose errors are but told, lobes ask for these
-checks of every machine of a study: a limit that lacks a mode is no approximation.
+Therefore limits at some speeds are computed once more with a finer model and twice the frequency
+range; while they change, all limits are computed with that model. Between modes that are far apart
+doubling changes nothing: at the fastest speed and that of the deepest cut (of few speeds, at all
+that are checked) limits are computed with the finest model too, which need not go beyond
+``HIGHEST``: receptances are not sampled there either. Other analyses only report their errors; this
+one runs its checks for every machine of a study: a limit that lacks a mode is no approximation.
 
 Theory: docs/theory/lobes.md.
 """
@@ -31,14 +31,14 @@ from rotordyn.scene.scene import Scene
 
 Array = NDArray[np.float64]
 Rows = NDArray[np.intp]
-ALLOWED = 0.05  # of a limit, that it may change
+ALLOWED = 0.05  # largest change of a limit by a finer model, over the limit
 DOUBLINGS = 4  # of the highest frequency
-LOOKED_AT = 4  # speeds, beside that of the deepest cut; of many the faster half, which takes less
+LOOKED_AT = 4  # speeds checked besides that of the deepest cut; of many, in the quicker upper half
 
 
 class Converged(NamedTuple):
-    """The ``scene`` that is fine enough, its ``limits`` with ``depths`` of every operation, and the
-    ``error``: the largest change of a depth over it by a finer model."""
+    """Refined ``scene``, its ``limits``, those of every operation (``depths``), and the ``error``:
+    largest change of a depth by a finer model, over the smaller depth."""
 
     scene: Scene
     limits: Limits
@@ -52,38 +52,38 @@ def converged(
     limits_of: Callable[[Scene, Rows], Limits],
     operations: Sequence[Operation],
 ) -> Converged:
-    """At every usable speed above 0; ``limits_of`` some rows of a scene, in which modes up to the
-    frequency ``modelled`` [Hz] take part, and no chatter is above it."""
-    best, finer = _at(scene, limits_of, operations), _Finer(limits_of, operations)
+    """Return limits at every usable speed above 0, refined until they change little and no chatter
+    is above the highest modes, ``modelled`` [Hz]; ``limits_of``: limits at rows of a scene."""
+    best, finer = _unchecked(scene, limits_of, operations), _Finer(limits_of, operations)
     for doubling in range(DOUBLINGS + 1):
         rows = np.flatnonzero(scene.speed[scene.usable] > 0.0)
-        room = math.log2(HIGHEST / (2.0 * math.pi * modelled(scene)))
-        left = max(min(DOUBLINGS - doubling, math.ceil(room)), 1)
-        error = _change(scene, left, finer, rows, best.depths)
-        best, every = best._replace(error=error), [one for each in best.depths for one in each]
-        chatter = max((one.frequency for one in every if math.isfinite(one.depth)), default=0.0)
+        to_highest = math.log2(HIGHEST / (2.0 * math.pi * modelled(scene)))
+        remaining = max(min(DOUBLINGS - doubling, math.ceil(to_highest)), 1)
+        error = _change(scene, remaining, finer, rows, best.depths)
+        best, limits = best._replace(error=error), [o for depths in best.depths for o in depths]
+        chatter = max((o.frequency for o in limits if math.isfinite(o.depth)), default=0.0)
         if (error <= ALLOWED and chatter <= modelled(scene)) or doubling == DOUBLINGS:
             break
         scene = scene.refined
         try:
-            best = _at(scene, limits_of, operations)
-        except InvalidInput:  # as in ``_Finer.depth``, at slow speeds: what there is and its error
+            best = _unchecked(scene, limits_of, operations)
+        except InvalidInput:  # as in ``_Finer.depth``, at slow speeds: keep the last limits
             break
     scene.checks.worst = max(scene.checks.worst, best.error / ALLOWED)
     return best
 
 
-def _at(
+def _unchecked(
     scene: Scene, limits_of: Callable[[Scene, Rows], Limits], operations: Sequence[Operation]
 ) -> Converged:
-    """Limits of a model, their error not known."""
+    """Return limits by one model; their error is NaN."""
     limits = limits_of(scene, np.flatnonzero(scene.speed[scene.usable] > 0.0))
-    return Converged(scene, limits, [limits.of(each) for each in operations], np.nan)
+    return Converged(scene, limits, [limits.of(operation) for operation in operations], np.nan)
 
 
 @dataclass(frozen=True)
 class _Finer:
-    """Depths at single speeds by finer models, each model and each depth solved once."""
+    """Depths [m] at single speeds by finer models; each model and each depth is solved once."""
 
     limits_of: Callable[[Scene, Rows], Limits]
     operations: Sequence[Operation]
@@ -91,15 +91,15 @@ class _Finer:
     depths: dict[tuple[int, float, int], float] = field(default_factory=dict)
 
     def depth(self, scene: Scene, row: int, doublings: int, number: int) -> float:
-        """Of the operation of this number at a usable speed; NaN where that turns too slowly for
-        waves of such frequencies."""
+        """Return the limit [m] of operation ``number`` at a usable speed by a model ``doublings``
+        finer; NaN where the speed is too low to resolve waves of its frequencies."""
         speed = float(scene.speed[scene.usable[row]])
         model = speed, scene.finer + doublings
         if model not in self.models:
-            one = scene.at(np.array([speed]))
+            refined = scene.at(np.array([speed]))
             for _ in range(doublings):
-                one = one.refined
-            self.models[model] = self.limits_of(one, np.zeros(1, dtype=np.intp))
+                refined = refined.refined
+            self.models[model] = self.limits_of(refined, np.zeros(1, dtype=np.intp))
         key = number, *model
         if key not in self.depths:
             try:
@@ -115,29 +115,29 @@ def _change(
     doublings: int,
     finer: _Finer,
     rows: Rows,
-    found: Sequence[Sequence[Limit]],
+    all_limits: Sequence[Sequence[Limit]],
 ) -> float:
-    """Largest change of a limit by the finer model, or by one ``doublings`` finer, over the smaller
-    of both."""
+    """Return the largest relative change of a limit by a model that is one doubling, or
+    ``doublings``, finer."""
     worst = 0.0
-    for number, known in enumerate(found):
-        depth = np.array([limit.depth for limit in known])
-        many, last = len(rows) > 2 * LOOKED_AT, len(rows) - 1
-        first = len(rows) // 2 if many else 0
+    for number, limits in enumerate(all_limits):
+        depth = np.array([limit.depth for limit in limits])
+        is_long, last = len(rows) > 2 * LOOKED_AT, len(rows) - 1
+        first = len(rows) // 2 if is_long else 0
         spread = np.linspace(first, last, LOOKED_AT).round().astype(np.intp)
         deepest = first + depth[first:].argmax()
-        once = {(int(k), 1) for k in (*spread, deepest)}
-        far = {(int(k), doublings) for k in (deepest, *([last] if many else spread))}
-        for k, times in sorted(once | far):
-            other = finer.depth(scene, int(rows[k]), times, number)
-            if not math.isnan(other):
-                worst = max(worst, _apart(other, known[k].depth))
+        by_one = {(int(k), 1) for k in (*spread, deepest)}
+        by_finest = {(int(k), doublings) for k in (deepest, *([last] if is_long else spread))}
+        for k, count in sorted(by_one | by_finest):
+            finer_depth = finer.depth(scene, int(rows[k]), count, number)
+            if not math.isnan(finer_depth):
+                worst = max(worst, _difference(finer_depth, limits[k].depth))
     return worst
 
 
-def _apart(one: float, other: float) -> float:
-    """Difference over the smaller depth; none if both are infinite, or both 0."""
-    small, large = sorted((one, other))
+def _difference(depth: float, other_depth: float) -> float:
+    """Return the difference over the smaller depth; 0 if both are infinite, or both 0."""
+    small, large = sorted((depth, other_depth))
     if small == large:
         return 0.0
     return large / small - 1.0 if small > 0.0 else math.inf

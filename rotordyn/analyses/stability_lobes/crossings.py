@@ -1,9 +1,9 @@
-"""Where eigenvalues z(θ) cross the positive real axis: each is a limit of stability at the depth
+"""Crossings of the positive real axis by eigenvalues z(θ): each is a stability limit at the depth
 1/z.
 
-The depth sought is the least one. Branches are followed from sample to sample; samples are added
-where a branch turns fast near the axis, and where the phase of Π(1 − a z), which counts the
-unstable multipliers at a depth a, is uncertain for any depth up to the limit.
+The least depth is sought. Branches are followed from sample to sample; samples are added where a
+branch turns fast near the axis, and where the phase of Π(1 − a z), which counts the unstable
+multipliers at a depth a, is uncertain for any depth up to the limit.
 """
 
 from __future__ import annotations
@@ -17,68 +17,71 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Solve = Callable[[Array], Complex]
-ROUNDS = 12
+ROUNDS = 12  # of refinement
 MOST_SAMPLES = 4000
 STEPS = 40  # of a root
 ROUNDED = 1e-12  # of an eigenvalue: a smaller imaginary part is rounding
-REAL = 1e-6  # the same at an end, where eigenvalues may be double and err more
-CLOSE = 1e-8  # of an eigenvalue, by which the imaginary part of a root may miss zero
-SAME = 0.05  # by which the line between samples may miss a crossing that is known
-FAR = 0.9  # rad of phase between samples
+REAL = 1e-6  # as ROUNDED, at an end, where eigenvalues may be double and err more
+CLOSE = 1e-8  # of an eigenvalue: tolerance of the imaginary part of a root
+SAME = 0.05  # relative tolerance of the interpolated value at a known crossing
+FAR = 0.9  # rad: largest phase step between samples
 DEPTHS = 48  # at which unstable multipliers are counted
 RANGE = 30.0  # from the least depth at which anything could be unstable
 
 
 class Crossing(NamedTuple):
-    """Largest ``value`` of an eigenvalue on the positive real axis, 0 if there is none, and the
-    ``angle`` at which it is there."""
+    """Largest ``value`` of an eigenvalue on the positive real axis, 0 if there is none, and its
+    ``angle`` θ [rad]."""
 
     value: float
     angle: float
 
 
 def largest_crossing(solve: Solve, angle: Array, ends: Sequence[int] = (-1,)) -> Crossing:
-    """``solve``: eigenvalues (n, m) at angles (n,); ``angle``: first samples, ascending; ``ends``:
-    samples, the last one or the first one too, at which eigenvalues may be real."""
+    """Return the largest crossing. ``solve``: eigenvalues (n, m) at angles (n,); ``angle``: first
+    samples, ascending; ``ends``: samples at which eigenvalues may be real, the last or also the
+    first."""
     z = solve(angle)
     best = Crossing(0.0, float("nan"))
     for _ in range(ROUNDS):
         best = _best(solve, angle, z, best, ends)
-        where = _unresolved(angle, z, best, ends)
-        if not len(where) or len(angle) > MOST_SAMPLES:
+        intervals = _unresolved(angle, z, best, ends)
+        if not len(intervals) or len(angle) > MOST_SAMPLES:
             break
-        middle = 0.5 * (angle[where] + angle[where + 1])
+        middle = 0.5 * (angle[intervals] + angle[intervals + 1])
         inserted = solve(middle)
-        angle = np.insert(angle, where + 1, middle)
-        z = np.insert(z, where + 1, inserted, axis=0)
+        angle = np.insert(angle, intervals + 1, middle)
+        z = np.insert(z, intervals + 1, inserted, axis=0)
     return best
 
 
-def _links(z: Complex) -> tuple[Complex, Complex]:
-    """Each eigenvalue of a sample with the nearest of the next, and the other way round
+def _pairs(z: Complex) -> tuple[Complex, Complex]:
+    """Pair each eigenvalue of a sample with the nearest one of the next, and vice versa
     (n − 1, 2 m)."""
-    apart = np.abs(z[:-1, :, None] - z[1:, None, :])
-    ahead = np.take_along_axis(z[1:], apart.argmin(axis=2), axis=1)
-    back = np.take_along_axis(z[:-1], apart.argmin(axis=1), axis=1)
-    return np.concatenate([z[:-1], back], axis=1), np.concatenate([ahead, z[1:]], axis=1)
+    distance = np.abs(z[:-1, :, None] - z[1:, None, :])
+    next_nearest = np.take_along_axis(z[1:], distance.argmin(axis=2), axis=1)
+    previous_nearest = np.take_along_axis(z[:-1], distance.argmin(axis=1), axis=1)
+    return np.concatenate([z[:-1], previous_nearest], axis=1), np.concatenate(
+        [next_nearest, z[1:]], axis=1
+    )
 
 
 def _best(solve: Solve, angle: Array, z: Complex, known: Crossing, ends: Sequence[int]) -> Crossing:
-    """The largest crossing between samples; at the ends, the largest real eigenvalue."""
-    best, given = known, z
+    """Return the largest crossing between samples; at the ends, the largest real eigenvalue."""
+    best, computed = known, z
     z = np.where(np.abs(z.imag) <= ROUNDED * np.abs(z), z.real, z)
     for end in ends:
-        real = np.abs(given[end].imag) <= REAL * np.abs(given[end])
-        largest = given[end].real[real].max(initial=0.0)
+        real = np.abs(computed[end].imag) <= REAL * np.abs(computed[end])
+        largest = computed[end].real[real].max(initial=0.0)
         best = max(best, Crossing(float(largest), float(angle[end])), key=_value)
-        z[end] = np.where(real, given[end].real, given[end])
-    low, high = _links(z)
-    across = low.imag * high.imag < 0.0
-    highest = np.where(across, np.maximum(low.real, high.real), 0.0)
+        z[end] = np.where(real, computed[end].real, computed[end])
+    low, high = _pairs(z)
+    changes_sign = low.imag * high.imag < 0.0
+    highest = np.where(changes_sign, np.maximum(low.real, high.real), 0.0)
     around = (angle[:-1] <= known.angle) & (known.angle <= angle[1:])
     with np.errstate(divide="ignore", invalid="ignore"):
-        line = low.real + low.imag / (low.imag - high.imag) * (high.real - low.real)
-    highest[around[:, None] & (np.abs(line - known.value) < SAME * known.value)] = 0.0
+        interpolated = low.real + low.imag / (low.imag - high.imag) * (high.real - low.real)
+    highest[around[:, None] & (np.abs(interpolated - known.value) < SAME * known.value)] = 0.0
     while True:
         place = np.unravel_index(highest.argmax(), highest.shape)
         if highest[place] <= best.value:
@@ -93,16 +96,16 @@ def _value(crossing: Crossing) -> float:
 
 
 def _root(solve: Solve, angle: Array, low: complex, high: complex) -> Crossing:
-    """The crossing of a branch between two samples, by false position; the Illinois rule halves the
-    weight of an end that stays, which otherwise stalls."""
+    """Return the crossing of a branch between two samples, by false position; the Illinois rule
+    halves the weight of an end that stays, which otherwise stalls."""
     a, b = angle.tolist()
     if not max(low.real, high.real) > 0.0:
         return Crossing(0.0, a)
     side = 0
     weights = [1.0, 1.0]
     for _ in range(STEPS):
-        one, other = low.imag * weights[0], high.imag * weights[1]
-        share = min(max(one / (one - other), 1e-3), 1.0 - 1e-3)
+        imag_low, imag_high = low.imag * weights[0], high.imag * weights[1]
+        share = min(max(imag_low / (imag_low - imag_high), 1e-3), 1.0 - 1e-3)
         middle = a + share * (b - a)
         guess = low + (middle - a) / (b - a) * (high - low)
         values = solve(np.array([middle]))[0]
@@ -119,19 +122,19 @@ def _root(solve: Solve, angle: Array, low: complex, high: complex) -> Crossing:
 
 
 def _unresolved(angle: Array, z: Complex, best: Crossing, ends: Sequence[int]) -> NDArray[np.intp]:
-    """Intervals to halve: a branch comes near the axis beyond the best crossing and turns there, or
+    """Return the intervals to halve: a branch turns back near the axis beyond the best crossing, or
     the count of unstable multipliers is uncertain, or contradicts the limit."""
-    low, high = _links(z)
+    low, high = _pairs(z)
     floor = max(best.value, np.abs(z).max() / RANGE)
-    size = np.maximum(low.real, high.real) > floor
+    is_beyond = np.maximum(low.real, high.real) > floor
     step = np.abs(high - low)
-    near = np.minimum(np.abs(low.imag), np.abs(high.imag)) < 0.5 * step
-    turning = size & near & (low.imag * high.imag >= 0.0) & (step > 0.02 * np.abs(low))
-    unsure = turning.any(axis=1)
-    unsure[[*ends]] = False  # there branches lie on the axis
+    is_near = np.minimum(np.abs(low.imag), np.abs(high.imag)) < 0.5 * step
+    turns_back = is_beyond & is_near & (low.imag * high.imag >= 0.0) & (step > 0.02 * np.abs(low))
+    unresolved = turns_back.any(axis=1)
+    unresolved[[*ends]] = False  # there branches lie on the axis
     depth = np.geomspace(1.0 / (1.05 * np.abs(z).max()), 0.998 / floor, DEPTHS)
     phase = np.angle(1.0 - depth[:, None, None] * z).sum(axis=2)
     jump = np.abs(np.remainder(np.diff(phase, axis=1) + np.pi, 2.0 * np.pi) - np.pi)
-    unsure |= (jump > FAR).any(axis=0)
-    unsure &= np.diff(angle) > 1e-7 * angle[-1]
-    return np.flatnonzero(unsure)
+    unresolved |= (jump > FAR).any(axis=0)
+    unresolved &= np.diff(angle) > 1e-7 * angle[-1]
+    return np.flatnonzero(unresolved)

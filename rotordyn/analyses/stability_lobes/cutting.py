@@ -1,8 +1,8 @@
 """Forces of the teeth of a milling cutter on its tip.
 
 x is the feed, y the normal to it, φ the angle of a tooth from +y towards +x; it cuts while entry <
-φ < exit. Of the chip thickness a tooth takes off, h = Δx sin φ + Δy cos φ, only what the tip moves
-between one tooth and the next counts for stability, and the force is F = −a H(φ) Δ.
+φ < exit. Stability depends only on the dynamic chip thickness, h = Δx sin φ + Δy cos φ, with Δ the
+displacement of the tip since the previous tooth, and the force is F = −a H(φ) Δ.
 
 Theory: docs/theory/lobes.md.
 """
@@ -21,23 +21,23 @@ from numpy.typing import NDArray
 from rotordyn.errors import InvalidInput
 
 Array = NDArray[np.float64]
-ROUNDED = 1e-3  # rad: so near to 0 or π a cut ends there, as where π is given as 3.1416
-LEAST_PIECE = 1e-9  # of a turn of the pattern: shorter ones between entry and exit are rounding
-LEAST = math.radians(0.999)  # of a pitch
-FULL = 1e-6  # rad, by which all pitches may miss a full turn
-STRAIGHT = 1e-7  # rad of lag: the mean along an edge that lags less is rounding
-SPREAD = 0.05  # rad
+ROUNDED = 1e-3  # rad: a cut that ends this near to 0 or π ends there, as π may be given as 3.1416
+LEAST_PIECE = 1e-9  # of a turn of the pattern: a shorter piece of the cut is rounding
+LEAST = math.radians(0.999)  # least pitch
+FULL = 1e-6  # rad: tolerance of the sum of pitches
+STRAIGHT = 1e-7  # rad: a mean along an edge of smaller lag would be rounding
+SPREAD = 0.05  # rad, over which forces at an end of contact are spread
 NONE = 1e-9  # sine of an angle at which a chip has no thickness
-ALIKE = 1e-12  # rad, m: pitches and run-out that differ by less are equal
+ALIKE = 1e-12  # rad, m: pitches and run-outs that differ by less are equal
 
 
 @dataclass(frozen=True, slots=True)
 class Cut:
-    """``teeth`` of one helix, their cutting coefficients [Pa], ``entry`` and ``exit`` [rad].
+    """Cut by ``teeth`` of one helix, cutting coefficients [Pa], ``entry`` and ``exit`` [rad].
 
-    ``lag`` [rad]: how far the end of an edge is behind its tip. ``pitches`` [rad]: from each tooth
-    to the one that cut before it, in the order in which they cut; none where all are equal.
-    ``runout`` [m]: how far each tooth stands out; none where all are alike. ``edges``: tangential
+    ``lag`` [rad]: angle of the end of an edge behind its tip. ``pitches`` [rad]: from each tooth
+    to the one that cut before it, in the order in which they cut; none if all are equal.
+    ``runout`` [m]: radial run-out of each tooth; none if all are equal. ``edges``: tangential
     and radial forces of edges by length over the feed of a radian [Pa rad], which follow the
     vibration where chips begin or end with no thickness.
     """
@@ -54,30 +54,30 @@ class Cut:
 
     @property
     def gaps(self) -> tuple[float, ...]:
-        """Pitches [rad] of the shortest pattern that repeats around the cutter; one of a cutter
-        whose teeth are evenly spaced and stand out alike."""
+        """Pitches [rad] of the shortest pattern that repeats around the cutter; one pitch if teeth
+        are evenly spaced with equal run-out."""
         if not (self.pitches or self.runout):
             return (2.0 * math.pi / self.teeth,)
         pitches = self.pitches or (2.0 * math.pi / self.teeth,) * self.teeth
-        return pitches[: _pattern(pitches, self.runout or (0.0,) * self.teeth)]
+        return pitches[: _pattern_size(pitches, self.runout or (0.0,) * self.teeth)]
 
     @property
     def even(self) -> bool:
-        """The teeth follow one another alike, evenly spaced."""
+        """Whether the teeth are evenly spaced and of equal run-out."""
         return len(self.gaps) == 1
 
     @property
     def turn(self) -> float:
-        """Angle [rad] after which teeth stand as before: the pitch where they are evenly spaced."""
+        """Angle [rad] after which the pattern of teeth repeats: the pitch of evenly spaced ones."""
         return math.fsum(self.gaps)
 
     @property
     def interruption(self) -> float:
-        """Period over the time in which some tooth cuts: so much deeper short cuts are stable."""
+        """Period over the time in which some tooth cuts: limits of short cuts grow with it."""
         return self.turn / sum(high - low for low, high in self.pieces())
 
     def without(self, idle: Collection[int]) -> Cut:
-        """The cutter of the other teeth of its pattern, without run-out: they take what the
+        """Return the cutter with the other teeth of its pattern, without run-out: they cut what the
         ``idle`` ones leave."""
         count = len(self.gaps)
         first = next(tooth for tooth in range(count) if tooth not in idle)
@@ -90,23 +90,23 @@ class Cut:
         return replace(self, teeth=len(pitches), pitches=tuple(pitches), runout=())
 
     def mean(self) -> Array:
-        """Mean of H of all teeth (2, 2) [Pa]; the lag and the pitches do not change it."""
-        swept = self.swept(np.array(self.exit)) - self.swept(np.array(self.entry))
-        return swept * self.teeth / (2.0 * math.pi)
+        """Return the mean of H of all teeth (2, 2) [Pa]; lag and pitches do not change it."""
+        integral = self.swept(np.array(self.exit)) - self.swept(np.array(self.entry))
+        return integral * self.teeth / (2.0 * math.pi)
 
     @property
     def ends(self) -> list[tuple[float, float]]:
-        """Spans of angle next to where chips begin or end with no thickness, over which edge
-        forces that follow the vibration are spread."""
+        """Spans of angle next to a start or end of chips with no thickness, over which edge forces
+        that follow the vibration are spread."""
         if self.edges == (0.0, 0.0):
             return []
-        wide = min(SPREAD, 0.5 * (self.exit - self.entry))
-        each = (self.entry, self.entry + wide), (self.exit - wide, self.exit)
-        return [span for span in each if math.sin(span[0]) < NONE or math.sin(span[1]) < NONE]
+        width = min(SPREAD, 0.5 * (self.exit - self.entry))
+        spans = (self.entry, self.entry + width), (self.exit - width, self.exit)
+        return [span for span in spans if math.sin(span[0]) < NONE or math.sin(span[1]) < NONE]
 
     def pieces(self) -> list[tuple[float, float]]:
-        """Spans of the first tooth's angle, within one turn of the pattern, in which some tooth
-        cuts and H is smooth."""
+        """Return spans of the first tooth's angle, within one turn of the pattern, in which some
+        tooth cuts and H is smooth."""
         ends = np.array([self.entry, self.exit, *chain(*self.ends)])
         ends = np.concatenate([ends, ends + self.lag])
         ends = (ends[:, None] - self.behind).ravel()
@@ -121,16 +121,16 @@ class Cut:
         ]
 
     def in_cut(self, angle: Array) -> NDArray[np.bool_]:
-        """Whether some tooth cuts while the first one is at ``angle`` (n,)."""
+        """Return whether some tooth cuts with the first one at ``angle`` (n,)."""
         return np.asarray(self.cutting(self.standing(angle)).any(axis=(0, 1)))
 
     def matrix(self, angle: Array) -> Array:
-        """H of all teeth while the first one is at ``angle`` (n,): (n, 2, 2) [Pa]."""
+        """Return H of all teeth (n, 2, 2) [Pa] with the first one at ``angle`` (n,)."""
         return np.asarray(self.by_gap(angle).sum(axis=0))
 
     def by_gap(self, angle: Array, which: int | None = None) -> Array:
-        """The same of the teeth behind each of the ``gaps`` (gaps, n, 2, 2) [Pa]; ``which``: behind
-        one of them (n, 2, 2)."""
+        """Return H of the teeth behind each of the ``gaps`` (gaps, n, 2, 2) [Pa]; ``which``: of
+        those behind one gap (n, 2, 2)."""
         at = self.standing(angle) if which is None else self.standing(angle)[:, which]
         if self.lag > STRAIGHT:
             # mean of H along the edge, of which a part is in cut
@@ -141,47 +141,47 @@ class Cut:
         coefficients = np.where(self.cutting(at)[..., None, None], coefficients, 0.0)
         if self.ends:
             gap = np.array(self.gaps) if which is None else np.array(self.gaps[which : which + 1])
-            coefficients += self._by_ends(at)[..., None, None] * self._pushing(gap)
+            coefficients += self._end_density(at)[..., None, None] * self._end_forces(gap)
         return np.asarray(coefficients.sum(axis=0))
 
-    def _by_ends(self, at: Array) -> Array:
-        """Density [1/rad] of the ends of contact at angles of teeth (…), over the lag."""
-        found = np.zeros(at.shape)
+    def _end_density(self, at: Array) -> Array:
+        """Return the density [1/rad] of ends of contact along edges, at angles of teeth (…)."""
+        density = np.zeros(at.shape)
         for low, high in self.ends:
             if self.lag > STRAIGHT:
                 part = np.clip(at, low, high) - np.clip(at - self.lag, low, high)
-                found += part / (self.lag * (high - low))
+                density += part / (self.lag * (high - low))
             else:
-                found += ((at > low) & (at < high)) / (high - low)
-        return found
+                density += ((at > low) & (at < high)) / (high - low)
+        return density
 
-    def _pushing(self, gap: Array) -> Array:
-        """Forces at an end by the displacement since a ``gap`` (gaps,) [rad]: (gaps, 1, 2, 2)."""
+    def _end_forces(self, gap: Array) -> Array:
+        """Return forces (gaps, 1, 2, 2) at an end by displacement since a ``gap`` (gaps,) [rad]."""
         matrix = np.array([[0.0, self.edges[0]], [0.0, self.edges[1]]])
         return np.asarray(matrix / gap[:, None, None, None])
 
     def cutting(self, at: Array) -> NDArray[np.bool_]:
-        """Whether some part of the edge of a tooth at ``at`` is in cut."""
+        """Return whether some part of the edge of a tooth at ``at`` is in cut."""
         return np.asarray((at > self.entry) & (at - self.lag < self.exit))
 
     @property
     def behind(self) -> Array:
-        """Angles of the teeth behind the first one (gaps,) [rad], from 0 down."""
+        """Angles of the teeth relative to the first one (gaps,) [rad], from 0 down."""
         return -np.array([*accumulate(self.gaps[1:], initial=0.0)])
 
     def standing(self, angle: Array) -> Array:
-        """Angles of all teeth, with those whose edges are still in cut (turns, gaps, n)."""
+        """Return angles of all teeth (turns, gaps, n), also past exit while edges are in cut."""
         turns = np.arange(-1, math.ceil((math.pi + self.lag) / self.turn) + 1)
         return angle + (turns[:, None] * self.turn + self.behind)[..., None]
 
     def one_tooth(self, angle: Array) -> Array:
-        """H of one tooth in cut (…, 2, 2)."""
+        """Return H of one tooth in cut (…, 2, 2)."""
         s, c = np.sin(angle), np.cos(angle)
         x, y = self.tangential * c + self.radial * s, self.radial * c - self.tangential * s
         return np.stack([np.stack([x * s, x * c], -1), np.stack([y * s, y * c], -1)], -2)
 
     def swept(self, angle: Array) -> Array:
-        """Antiderivative of H of one tooth (…, 2, 2)."""
+        """Return the antiderivative of H of one tooth (…, 2, 2)."""
         s2, c2, half = np.sin(2.0 * angle) / 4.0, np.cos(2.0 * angle) / 4.0, 0.5 * angle
         t, r = self.tangential, self.radial
         return np.stack(
@@ -194,8 +194,8 @@ class Cut:
 
 
 @lru_cache
-def _pattern(*values: tuple[float, ...]) -> int:
-    """How many teeth the shortest pattern of their values has that repeats around the cutter."""
+def _pattern_size(*values: tuple[float, ...]) -> int:
+    """Return the number of teeth of the shortest pattern that repeats around the cutter."""
     teeth = np.array(values)
     count = teeth.shape[1]
     return next(
@@ -206,7 +206,7 @@ def _pattern(*values: tuple[float, ...]) -> int:
 
 
 def checked(cut: Cut) -> Cut:
-    """The cut, if it is one that can be solved, with ends that are 0 and π as rounded exactly so.
+    """Return a valid cut, with an entry near 0 and an exit near π set to these values.
 
     Raises
     ------
@@ -216,11 +216,11 @@ def checked(cut: Cut) -> Cut:
     if cut.teeth < 1:
         raise InvalidInput(f"teeth: given {cut.teeth}; allowed: at least 1")
     if cut.pitches:
-        whole, least = math.fsum(cut.pitches), min(cut.pitches)
-        if len(cut.pitches) != cut.teeth or abs(whole - 2.0 * math.pi) > FULL or least < LEAST:
+        total, least = math.fsum(cut.pitches), min(cut.pitches)
+        if len(cut.pitches) != cut.teeth or abs(total - 2.0 * math.pi) > FULL or least < LEAST:
             raise InvalidInput(
                 f"pitch: given {len(cut.pitches)} angles from {math.degrees(least):.6g}°, "
-                f"{math.degrees(whole):.6g}° together; allowed: one to each of {cut.teeth} teeth, "
+                f"{math.degrees(total):.6g}° together; allowed: one to each of {cut.teeth} teeth, "
                 f"from {math.degrees(LEAST):g}°, 360° together"
             )
     if abs(cut.entry) < ROUNDED:

@@ -1,8 +1,8 @@
 """Period doubling between the speeds at which limits are solved.
 
-It limits near where a mode makes k + ½ waves in a period of the teeth, over a range of speeds that
-is a small part of its damping ratio wide, so that steps between speeds pass it over. There depths
-of period doubling are those of one eigenvalue problem, with the modes of the nearest speed solved.
+It limits the cut near speeds at which a mode makes k + ½ waves in a tooth period, over a relative
+range of speeds that is a small part of its damping ratio, so that steps between speeds miss it.
+Its depths follow from one eigenvalue problem, with the modes of the nearest solved speed.
 
 Theory: docs/theory/lobes.md.
 """
@@ -23,37 +23,37 @@ from rotordyn.analyses.stability_lobes.tip import Tip
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
-# damping ratios by which waves may be off k + ½: along the normal in down-milling there are fewer
-# where the limit is least, along the feed more, the farther the smaller the immersion
+# offsets of waves from k + ½, in damping ratios: where the limit is least, there are fewer waves
+# along the normal in down-milling and more along the feed, the offset larger at small immersion
 BESIDE = np.arange(-6.0, 6.0 + 1e-9, 0.5)
-NEARER = np.array([-3, -2, -1, 1, 2, 3]) / 8.0  # about the least depth of these
-FINER = 8  # places from one to the next at which steps are looked for
-# of a depth for every damping ratio: of modes that lead to nearly the same one the nearest knows
-# its speed best
+NEARER = np.array([-3, -2, -1, 1, 2, 3]) / 8.0  # offsets about that of the least depth
+FINER = 8  # points from one offset to the next at which steps are searched
+# of a depth, for an offset of one damping ratio: of modes that give nearly the same depth, the
+# nearest one gives its speed best
 ALIKE = 0.005
-FINE = 0.25  # of the damping ratio: shorter steps do not pass it over
-LOBE = 0.5  # waves from one speed to the next: of more, lobes themselves are passed over
-SAME = 0.05  # of its frequency: by which a mode changes from one speed to the next
+FINE = 0.25  # of the damping ratio: shorter steps do not miss it
+LOBE = 0.5  # waves from one speed to the next: with more, lobes themselves are missed
+SAME = 0.05  # of its frequency: largest change of a mode from one speed to the next
 
 
 class Flips(NamedTuple):
-    """Of every speed the least ``depth`` [m] of period doubling on the way to the next one, and the
-    ``speed`` [rad/s] there (s,); NaN where no mode makes k + ½ waves."""
+    """Least ``depth`` [m] of period doubling between every speed and the next one, and its
+    ``speed`` [rad/s] (s,); NaN where no mode makes k + ½ waves."""
 
     depth: Array
     speed: Array
 
 
 def flips(limits: Limits, operation: Operation) -> Flips:
-    """Of evenly spaced teeth with straight edges, on a tip that is a sum of modes; of others, and
-    by zero order, none are looked for."""
+    """Return period doubling of evenly spaced teeth with straight edges, on a tip that is a sum of
+    modes; of others, and by zero order, all NaN."""
     speed = limits.speed
-    found = Flips(np.full(len(speed), np.nan), np.full(len(speed), np.nan))
+    result = Flips(np.full(len(speed), np.nan), np.full(len(speed), np.nan))
     spec, tip = operation.spec, limits.tip
     if spec.method == ZERO_ORDER or spec.turning or spec.helix or not operation.cut.even:
-        return found
+        return result
     if not isinstance(tip, Tip) or tip.modes is None:
-        return found
+        return result
     pole = tip.high_poles[limits.rows]
     hertz, ratio = pole.imag / (2.0 * math.pi), -pole.real / np.abs(pole)
     turn = operation.cut.turn
@@ -67,50 +67,50 @@ def flips(limits: Limits, operation: Operation) -> Flips:
         steps = _Steps(speed, hertz[:, mode], waves[:, mode], wide[:, mode], turn)
         for order in steps.orders(BESIDE[-1] * float(np.nanmax(ratio[:, mode]))):
 
-            def depth(own: float, mode: int = mode) -> float:
-                """By the modes of the nearest speed, where one of them makes as many waves."""
-                row = int(np.nanargmin(np.abs(waves[:, mode] - own)))
-                waving = float(hertz[row, mode]) * turn / own
-                return _doubling(tip, int(limits.rows[row]), operation, waving)
+            def depth(count: float, mode: int = mode) -> float:
+                """Return the depth where ``mode`` makes ``count`` waves, by the nearest speed."""
+                row = int(np.nanargmin(np.abs(waves[:, mode] - count)))
+                speed = float(hertz[row, mode]) * turn / count
+                return _doubling(tip, int(limits.rows[row]), operation, speed)
 
             damping = float(ratio[np.nanargmin(np.abs(waves[:, mode] - order)), mode])
-            for each, own in _least(order, damping, depth, steps):
-                place, where = steps.at(own)
-                judged = each * (1.0 + ALIKE * abs(own / order - 1.0) / damping)
-                if judged < least[place]:
-                    least[place] = judged
-                    found.depth[place], found.speed[place] = each, where
-    return found
+            for value, count in _least(order, damping, depth, steps):
+                place, at = steps.at(count)
+                penalized = value * (1.0 + ALIKE * abs(count / order - 1.0) / damping)
+                if penalized < least[place]:
+                    least[place] = penalized
+                    result.depth[place], result.speed[place] = value, at
+    return result
 
 
 def _least(
     order: float, ratio: float, depth: Callable[[float], float], steps: _Steps
 ) -> Iterator[tuple[float, float]]:
-    """Depths [m] and waves within the steps, near those at which a mode is least stable: about the
-    least of all, and about the least within the steps."""
+    """Yield depths [m] and numbers of waves within the steps, near the least depths of a mode: the
+    least of all, and the least within the steps."""
 
-    def at(beside: Array) -> tuple[Array, Array, Flags]:
-        own = order * (1.0 + ratio * beside)
-        depths = np.array([depth(each) for each in own.tolist()])
-        return own, depths, np.array([steps.hold(each) for each in own.tolist()], dtype=bool)
+    def at(offset: Array) -> tuple[Array, Array, Flags]:
+        waves = order * (1.0 + ratio * offset)
+        depths = np.array([depth(count) for count in waves.tolist()])
+        return waves, depths, np.array([steps.hold(count) for count in waves.tolist()], dtype=bool)
 
-    own = order * (1.0 + ratio * BESIDE)
-    if not any(steps.hold(each) for each in np.linspace(own[0], own[-1], FINER * len(own))):
+    waves = order * (1.0 + ratio * BESIDE)
+    if not any(steps.hold(count) for count in np.linspace(waves[0], waves[-1], FINER * len(waves))):
         return
-    own, depths, inside = at(BESIDE)
-    middles = {int(depths.argmin())}
+    waves, depths, inside = at(BESIDE)
+    centres = {int(depths.argmin())}
     if inside.any():
-        middles.add(int(np.where(inside, depths, math.inf).argmin()))
-    yield from zip(depths[inside].tolist(), own[inside].tolist(), strict=True)
-    for middle in middles:
-        own, depths, inside = at(BESIDE[middle] + NEARER)
-        yield from zip(depths[inside].tolist(), own[inside].tolist(), strict=True)
+        centres.add(int(np.where(inside, depths, math.inf).argmin()))
+    yield from zip(depths[inside].tolist(), waves[inside].tolist(), strict=True)
+    for centre in centres:
+        waves, depths, inside = at(BESIDE[centre] + NEARER)
+        yield from zip(depths[inside].tolist(), waves[inside].tolist(), strict=True)
 
 
 class _Steps(NamedTuple):
-    """Steps between speeds [rad/s] (s,) that may pass period doubling over by one mode, of
-    ``hertz`` (s,), which makes ``waves`` (s,) in a period of the teeth that ``turn`` by so much;
-    ``wide`` (s − 1,): which steps."""
+    """Steps between speeds [rad/s] (s,) that may miss period doubling by one mode, of frequency
+    ``hertz`` (s,), which makes ``waves`` (s,) in a tooth period, of the angle ``turn`` [rad];
+    ``wide`` (s − 1,): which steps may."""
 
     speed: Array
     hertz: Array
@@ -119,27 +119,27 @@ class _Steps(NamedTuple):
     turn: float
 
     def orders(self, reach: float) -> Array:
-        """All k + ½ that lie among the waves of the steps, or so far from them, relative."""
+        """Return all k + ½ among the waves of the steps, or within ``reach`` of them, relative."""
         ends = self.waves[:-1][self.wide], self.waves[1:][self.wide]
         low, high = ends[1].min() / (1.0 + reach), ends[0].max() / max(1.0 - reach, 0.5)
         return np.arange(max(math.ceil(low - 0.5), 0), math.floor(high - 0.5) + 1) + 0.5
 
-    def _within(self, waves: float) -> Flags:
+    def _steps_with(self, waves: float) -> Flags:
         return np.asarray(self.wide & (self.waves[1:] < waves) & (waves <= self.waves[:-1]))
 
     def hold(self, waves: float) -> bool:
-        """Whether the mode makes so many within some step."""
-        return bool(self._within(waves).any())
+        """Return whether the mode makes that number of waves within some step."""
+        return bool(self._steps_with(waves).any())
 
     def at(self, waves: float) -> tuple[int, float]:
-        """The step within which it does, and the speed there."""
-        k = int(self._within(waves).argmax())
+        """Return the step in which the mode makes that number of waves, and its speed [rad/s]."""
+        k = int(self._steps_with(waves).argmax())
         slope = (self.hertz[k + 1] - self.hertz[k]) / (self.speed[k + 1] - self.speed[k])
         return k, (self.hertz[k] - slope * self.speed[k]) / (waves / self.turn - slope)
 
 
 def _doubling(tip: Tip, row: int, operation: Operation, speed: float) -> float:
-    """Least depth of period doubling [m] at a speed, of the modes at another one."""
+    """Return the least depth of period doubling [m] at a speed, by the modes of a ``row``."""
     assert tip.modes is not None
     floquet = operation.process(speed).floquet(tip.modes.at(row), float(tip.tops[row]), 0.0)
     return floquet.repeating(-1.0)

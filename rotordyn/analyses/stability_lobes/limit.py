@@ -31,15 +31,15 @@ from rotordyn.errors import InvalidInput
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Receptance = Callable[[Array], Complex]
-SHALLOW = 0.05  # of the depth with straight edges, from which helical ones are tried
-DEEPEST = 50.0  # times that depth: deeper is taken as no limit
+SHALLOW = 0.05  # of the limit with straight edges: first depth tried with helical ones
+DEEPEST = 50.0  # times that limit: deeper limits count as infinite
 AHEAD, SHARE, LEAST_STEP = 0.4, 0.05, 0.005  # of the margin, of the axial pitch, of the depth
-WITHIN = 1e-6  # of the depth
-MOST_INTERRUPTED = 1e4  # tooth period over cut: harmonics are as many
-MOST_POLYNOMIALS = 200  # of forces over the cut, each time for hundreds of samples
+WITHIN = 1e-6  # of the depth: tolerance of a limit
+MOST_INTERRUPTED = 1e4  # tooth period over time in cut: the number of harmonics grows with it
+MOST_POLYNOMIALS = 200  # of forces over the cut, solved at hundreds of samples
 AT_END = 1e-9  # of π: a crossing there is a flip
-REPEATING = 1e-15  # rad: vibration with so little phase from period to period is a fold
-SLOW, SLOWER = 1e-6, 16  # rad, from which so many samples lead to those of even teeth
+REPEATING = 1e-15  # rad: a smaller phase from period to period is a fold
+SLOW, SLOWER = 1e-6, 16  # rad, and number of samples from there to those of even teeth
 
 
 @typed(InvalidInput, besides=("receptance",))
@@ -57,10 +57,10 @@ def limit_depth(  # noqa: PLR0913  what a user of cutting data has at hand
     pitch: Sequence[float] = (),
     process_damping: float = 0.0,
 ) -> Limit:
-    """Depth of cut up to which milling is stable.
+    """Return the depth of cut up to which milling is stable.
 
     receptance : angular frequencies (f,) > 0 [rad/s] -> (f, 2, 2) [m/N], tip in feed and normal
-    teeth : how many, evenly spaced unless ``pitch`` is given
+    teeth : number of teeth, evenly spaced unless ``pitch`` is given
     tangential, radial : cutting coefficients [Pa]
     entry, exit : angles of a tooth in cut [rad], from the normal towards the feed
     speed : of the cutter [rad/s]
@@ -73,10 +73,10 @@ def limit_depth(  # noqa: PLR0913  what a user of cutting data has at hand
 
     Raises
     ------
-    InvalidInput : a cut that there is not, an unknown method, a helix of 90°; a helix or process
-        damping without diameter, or process damping with a receptance that is no sum of modes;
-        a receptance of another shape or size, without damping, that does not reach over the band;
-        so slow a cut that a tooth sees more waves than can be resolved
+    InvalidInput : an impossible cut, an unknown method, a helix of 90°; a helix or process damping
+        without diameter, or process damping with a receptance that is no sum of modes; a receptance
+        of another shape or size, without damping, or that does not reach over the band; a cut so
+        slow that it lasts over more waves than can be resolved
 
     Sources: Altintas and Budak (1995), Budak and Altintas (1998), Merdol and Altintas (2004).
     """
@@ -92,7 +92,7 @@ def limit_depth(  # noqa: PLR0913  what a user of cutting data has at hand
         ploughing = replace(cut, tangential=0.0, radial=rate)
     process = Process(cut, period, lag, ploughing)
     if method == METHODS[1]:
-        return _by_mean(receptance, process, omega, top)
+        return _zero_order_limit(receptance, process, omega, top)
     tip = as_modes(receptance, omega)
     if tip is not None:
         return modal_limit(tip, top, process)
@@ -104,7 +104,7 @@ def limit_depth(  # noqa: PLR0913  what a user of cutting data has at hand
     return sampled_limit(receptance, peaks(omega, top), top, process)
 
 
-def _by_mean(receptance: Receptance, process: Process, omega: Array, top: float) -> Limit:
+def _zero_order_limit(receptance: Receptance, process: Process, omega: Array, top: float) -> Limit:
     gaps = np.array(process.cut.gaps)
     delays = process.period * gaps / process.cut.turn
     samples = along(omega, top, float(delays.max()))[None]
@@ -116,12 +116,12 @@ def _by_mean(receptance: Receptance, process: Process, omega: Array, top: float)
 
 
 def sampled_limit(receptance: Receptance, near: Array, top: float, process: Process) -> Limit:
-    """The limit of a receptance that is no sum of modes; samples ``near`` (f,) [rad/s] resolve its
-    peaks.
+    """Return the limit with a receptance that is no sum of modes; samples ``near`` (f,) [rad/s]
+    resolve its peaks.
 
     Raises
     ------
-    InvalidInput : more waves in a tooth's cut than can be resolved
+    InvalidInput : a cut over more waves than can be resolved, or too short a cut
     """
     refuse_waves(Spans(process.cut, process.period, top), MOST_POLYNOMIALS)
     if process.cut.interruption > MOST_INTERRUPTED:
@@ -130,12 +130,12 @@ def sampled_limit(receptance: Receptance, near: Array, top: float, process: Proc
             f"allowed of a receptance that is no sum of modes: from 1/{MOST_INTERRUPTED:g}: raise "
             "the immersion, or leave the loss factor out"
         )
-    angle, given = folded(near, process.period), receptance
+    angle, unclamped = folded(near, process.period), receptance
     if not process.cut.even:  # vibration may repeat with the teeth, at a phase of 0
         angle = np.concatenate([[REPEATING], np.geomspace(SLOW, angle[0], SLOWER)[:-1], angle])
 
-        def receptance(omega: Array) -> Complex:  # of a tip that nothing holds: at rest endless
-            return given(np.maximum(omega, LOWEST))
+        def receptance(omega: Array) -> Complex:  # infinite at 0 with rigid-body modes
+            return unclamped(np.maximum(omega, LOWEST))
 
     if process.lag > 0.0:
         return with_helix(process, top, receptance, angle)
@@ -144,48 +144,48 @@ def sampled_limit(receptance: Receptance, near: Array, top: float, process: Proc
 
 
 def at_depth(harmonics: Harmonics, angle: Array) -> Limit:
-    """The limit of a cut whose forces are those of one depth."""
+    """Return the limit of a cut whose edges lag as at one depth."""
     ends = (0, -1) if angle[0] <= REPEATING else (-1,)
-    found = largest_crossing(harmonics.eigenvalues, angle, ends)
-    if found.value <= 0.0:
+    crossing = largest_crossing(harmonics.eigenvalues, angle, ends)
+    if crossing.value <= 0.0:
         return UNLIMITED
     kind = HOPF
-    if found.angle >= math.pi * (1.0 - AT_END):
+    if crossing.angle >= math.pi * (1.0 - AT_END):
         kind = FLIP
-    elif found.angle <= REPEATING:
+    elif crossing.angle <= REPEATING:
         kind = FOLD
-    return Limit(1.0 / found.value, harmonics.chatter(found.angle, found.value), kind)
+    return Limit(1.0 / crossing.value, harmonics.chatter(crossing.angle, crossing.value), kind)
 
 
 def with_helix(process: Process, top: float, receptance: Receptance, angle: Array) -> Limit:
-    """The least depth that is the limit of the cutting forces at that very depth.
+    """Return the least depth that is the limit of the cutting forces at that same depth.
 
-    Depths are tried from below in steps short beside the axial pitch,
-    so that no closed region of period doubling is jumped over, and the first loss is bisected.
+    Depths are tried from below in steps short against the axial pitch,
+    so that no closed region of period doubling is skipped; the first loss is bisected.
     """
 
-    def found(depth: float) -> Limit:
-        own = replace(process.cut, lag=process.lag * depth)
-        return at_depth(Harmonics(Spans(own, process.period, top), receptance), angle)
+    def limit_at(depth: float) -> Limit:
+        cut = replace(process.cut, lag=process.lag * depth)
+        return at_depth(Harmonics(Spans(cut, process.period, top), receptance), angle)
 
-    straight = found(0.0)
+    straight = limit_at(0.0)
     if math.isinf(straight.depth):
         return straight
     deepest = DEEPEST * straight.depth
     low, limit = 0.0, straight
     high = SHALLOW * straight.depth
-    while (limit := found(high)).depth > high:
+    while (limit := limit_at(high)).depth > high:
         if high > deepest:
             return UNLIMITED
         step = min(AHEAD * (limit.depth - high), SHARE * min(process.cut.gaps) / process.lag)
         low, high = high, high + max(step, LEAST_STEP * high)
     while high - low > WITHIN * high:
         middle = 0.5 * (low + high)
-        other = found(middle)
-        if other.depth > middle:
+        at_middle = limit_at(middle)
+        if at_middle.depth > middle:
             low = middle
         else:
-            high, limit = middle, other
+            high, limit = middle, at_middle
     return limit._replace(depth=0.5 * (low + high))
 
 

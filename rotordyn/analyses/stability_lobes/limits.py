@@ -1,4 +1,4 @@
-"""Limits at many speeds, each with the receptance of the tip at that speed."""
+"""Stability limits at many speeds, each with the receptance of the tip at that speed."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Rows = NDArray[np.intp]
 Flags = NDArray[np.bool_]
-MOST_SAMPLES = 4000  # of a speed, of receptances that take long; between them by splines
-AT_ONCE = 1_000_000  # samples of all speeds that are solved together
-PARTS = 20  # in which progress is reported
-TOGETHER = 1.4  # ratio of the periods of speeds that are sampled alike
+MOST_SAMPLES = 4000  # at a speed, of costly receptances; splines interpolate between them
+AT_ONCE = 1_000_000  # samples of all speeds solved together
+PARTS = 20  # number of progress reports
+TOGETHER = 1.4  # largest ratio of the periods of speeds that share samples
 NOT_MODES = (
     "stability_lobes: with a loss factor, or with motions that nothing holds, the receptance is no "
     "sum of modes: {what}"
@@ -38,7 +38,7 @@ NOT_MODES = (
 
 @dataclass(frozen=True)
 class Limits:
-    """Limits of ``tip`` at ``rows`` of its speeds, the cutter at ``speed`` [rad/s] each."""
+    """Limits of ``tip`` at ``rows`` of its speeds, each with the cutter at ``speed`` [rad/s]."""
 
     tip: Tip | MeasuredTip
     rows: Rows
@@ -46,7 +46,7 @@ class Limits:
     progress: Callable[[str], None] = lambda _: None
 
     def changed(self, rows: Rows, change: Change) -> Limits:
-        """The same at some of the speeds, of a machine that is changed as a whole.
+        """Return the limits at some of the speeds of a machine with stiffness and damping scaled.
 
         Raises
         ------
@@ -59,39 +59,41 @@ class Limits:
         return Limits(tip, np.arange(len(rows)), self.speed[rows], self.progress)
 
     def of(self, operation: Operation) -> list[Limit]:
-        """The limits of an operation, 0 where the machine is unstable by itself.
+        """Return the limits of an operation, 0 where the machine is unstable without a cut.
 
         Raises
         ------
         InvalidInput : process damping of a machine whose receptance is no sum of modes
         """
-        own = self.tip.growing[self.rows]
-        found = [Limit(0.0, pole.imag / (2.0 * math.pi), WITHOUT_CUT) for pole in own.tolist()]
-        rest = np.flatnonzero(own == 0.0)
-        if rest.size:
-            stable = replace(self, rows=self.rows[rest], speed=self.speed[rest])
-            for row, limit in zip(rest.tolist(), stable._cut(operation), strict=True):
-                found[row] = limit
-        return found
+        growing = self.tip.growing[self.rows]
+        limits = [Limit(0.0, pole.imag / (2.0 * math.pi), WITHOUT_CUT) for pole in growing.tolist()]
+        stable_rows = np.flatnonzero(growing == 0.0)
+        if stable_rows.size:
+            stable = replace(self, rows=self.rows[stable_rows], speed=self.speed[stable_rows])
+            for row, limit in zip(
+                stable_rows.tolist(), stable._stable_limits(operation), strict=True
+            ):
+                limits[row] = limit
+        return limits
 
-    def _cut(self, operation: Operation) -> list[Limit]:
-        """The same of a machine that is stable by itself."""
+    def _stable_limits(self, operation: Operation) -> list[Limit]:
+        """Return the limits of an operation of a machine that is stable without a cut."""
         spec = operation.spec
         if spec.method == ZERO_ORDER or spec.turning is not None:
-            return self._mean(operation)
+            return self._zero_order_limits(operation)
         if isinstance(self.tip, Tip) and self.tip.modes is None:
-            return self._sampled(self.tip, operation)
+            return self._sampled_limits(self.tip, operation)
         assert self.tip.modes is not None
         tops = self.tip.tops[self.rows]
         tips = [self.tip.modes.at(row) for row in self.rows.tolist()]
         processes = map(operation.process, self.speed.tolist())
-        every = [*zip(tips, tops.tolist(), processes, strict=True)]
+        arguments = [*zip(tips, tops.tolist(), processes, strict=True)]
         # numpy leaves the interpreter free while it solves for eigenvalues
-        return self._reported(each_in_threads(lambda one: modal_limit(*one), every))
+        return self._reported(each_in_threads(lambda values: modal_limit(*values), arguments))
 
     def stable(self, process: Callable[[float], Process], depth: Array, kind: str = NONE) -> Flags:
-        """Whether cuts by speed are stable at a ``depth`` (s,) [m], of machines that are stable
-        without a cut; of the ``kind`` ``FLIP`` whether no period doubles.
+        """Return whether cuts are stable at a ``depth`` (s,) [m], of machines that are stable
+        without a cut; with ``kind`` ``FLIP``, whether no period doubling occurs.
 
         Raises
         ------
@@ -106,27 +108,27 @@ class Limits:
                     return 0.0
                 return depth / limit.depth
             assert self.tip.modes is not None
-            found = cut.floquet(self.tip.modes.at(row), top, depth).multipliers(depth)
+            values = cut.floquet(self.tip.modes.at(row), top, depth).multipliers(depth)
             if kind == FLIP:
-                found = found[(found.imag == 0.0) & (found.real < 0.0)]
-            return float(np.abs(found).max(initial=0.0))
+                values = values[(values.imag == 0.0) & (values.real < 0.0)]
+            return float(np.abs(values).max(initial=0.0))
 
         cuts = map(process, self.speed.tolist())
-        every = zip(self.rows.tolist(), tops.tolist(), cuts, depth.tolist(), strict=True)
-        found = [*each_in_threads(lambda one: radius(*one), [*every])]
-        return np.array(found) < 1.0
+        arguments = zip(self.rows.tolist(), tops.tolist(), cuts, depth.tolist(), strict=True)
+        radii = [*each_in_threads(lambda values: radius(*values), [*arguments])]
+        return np.array(radii) < 1.0
 
-    def _reported(self, found: Iterator[Limit]) -> list[Limit]:
-        """Limits as they come, reported in parts."""
-        every, count = [], len(self.rows)
-        for limit in found:
-            every.append(limit)
-            if len(every) % max(1, count // PARTS) == 0:
-                self.progress(f"{len(every)} of {count} speeds")
-        return every
+    def _reported(self, solved: Iterator[Limit]) -> list[Limit]:
+        """Collect limits as they are solved, reporting progress in parts."""
+        limits, count = [], len(self.rows)
+        for limit in solved:
+            limits.append(limit)
+            if len(limits) % max(1, count // PARTS) == 0:
+                self.progress(f"{len(limits)} of {count} speeds")
+        return limits
 
-    def _sampled(self, tip: Tip, operation: Operation) -> list[Limit]:
-        """Limits of a receptance that is no sum of modes."""
+    def _sampled_limits(self, tip: Tip, operation: Operation) -> list[Limit]:
+        """Return limits with a receptance that is no sum of modes."""
         if operation.spec.process_damping > 0.0:
             what = "leave process_damping and interval out, or take method: zero-order"
             raise InvalidInput(NOT_MODES.format(what=what))
@@ -135,39 +137,39 @@ class Limits:
             return self._sampled_limit(tip, row, operation.process(speed))
 
         tip.tops  # noqa: B018  solved once, before threads ask for it
-        every = [*zip(self.rows.tolist(), self.speed.tolist(), strict=True)]
-        return self._reported(each_in_threads(lambda one: limit(*one), every))
+        arguments = [*zip(self.rows.tolist(), self.speed.tolist(), strict=True)]
+        return self._reported(each_in_threads(lambda values: limit(*values), arguments))
 
     def _sampled_limit(self, tip: Tip, row: int, process: Process) -> Limit:
-        one = tip.at(row)
+        tip_at_row = tip.at(row)
         near, top = tip.about_poles(row), float(tip.tops[row])
-        return sampled_limit(lambda w: one.receptance(w[None])[0], near, top, process)
+        return sampled_limit(lambda w: tip_at_row.receptance(w[None])[0], near, top, process)
 
-    def _mean(self, operation: Operation) -> list[Limit]:
-        """Zero-order limits, solved together for speeds whose tooth periods are similar."""
+    def _zero_order_limits(self, operation: Operation) -> list[Limit]:
+        """Return zero-order limits, solved together for speeds with similar tooth periods."""
         delays = operation.delays(self.speed)
         period = delays.max(axis=1)
-        found: list[Limit] = []
+        limits: list[Limit] = []
         most = float(self.tip.tops.max()) / TURN  # samples in a second
-        for part in _alike(period, AT_ONCE / most):
+        for part in _similar_periods(period, AT_ONCE / most):
             omega = self._samples(self.rows[part], period[part])
             mean = operation.mean(self.speed[part])
             directions, top = mean.cutting.shape[-1], float(omega[:, -1].max())
             receptance = self._receptance(self.rows[part], top, directions)
             sampled = receptance
             if self.tip.modes is None:
-                known = self._samples(self.rows[part], period[part], MOST_SAMPLES)
-                sampled = partial(_between, receptance, known)
+                coarse = self._samples(self.rows[part], period[part], MOST_SAMPLES)
+                sampled = partial(_interpolated, receptance, coarse)
             depth, at = zero_order(receptance, mean, delays[part], omega, sampled)
-            found += [
+            limits += [
                 Limit(float(a), float(w) / (2.0 * math.pi), HOPF if math.isfinite(a) else NONE)
                 for a, w in zip(depth, at, strict=True)
             ]
-        return found
+        return limits
 
     def _samples(self, rows: Rows, period: Array, most: float = math.inf) -> Array:
-        """Frequencies (s, f), ascending: those that resolve peaks, and even ones that resolve the
-        phase from tooth to tooth unless that takes more than ``most``."""
+        """Return frequencies (s, f), ascending: some resolve the peaks, evenly spaced ones resolve
+        the phase from tooth to tooth unless that takes more than ``most``."""
         near = [self.tip.about_poles(row) for row in rows.tolist()]
         tops = self.tip.tops[rows]
         refuse_slow(float(tops.max()), float(period.max()))
@@ -175,51 +177,51 @@ class Limits:
         longest = max(map(len, near))
         omega = np.empty((len(rows), even + longest))
         omega[:, :even] = tops[:, None] * (np.arange(1, even + 1) / even)
-        for k, own in enumerate(near):
-            at = np.linspace(0, len(own) - 1, longest)
-            omega[k, even:] = np.interp(at, np.arange(len(own)), own)
+        for k, peak_samples in enumerate(near):
+            at = np.linspace(0, len(peak_samples) - 1, longest)
+            omega[k, even:] = np.interp(at, np.arange(len(peak_samples)), peak_samples)
         omega.sort(axis=1)
         return omega
 
     def _receptance(self, rows: Rows, top: float, directions: int) -> Callable[[Array], Complex]:
-        """Receptance (s, f, directions, 2) by frequencies (s, f) up to ``top`` [rad/s]."""
+        """Return receptance (s, f, directions, 2) as a function of ω (s, f) to ``top`` [rad/s]."""
         modes = self.tip.modes
         if modes is not None:
             return modes.of(rows, top, directions).receptance
         assert isinstance(self.tip, Tip)
-        return partial(_summed, self.tip, rows, directions)
+        return partial(_receptance_at_rows, self.tip, rows, directions)
 
 
-def _summed(tip: Tip, rows: Rows, directions: int, omega: Array) -> Complex:
-    """Receptance at some rows; the tip asks for frequencies at all of its speeds."""
+def _receptance_at_rows(tip: Tip, rows: Rows, directions: int, omega: Array) -> Complex:
+    """Return the receptance at some rows; the tip takes frequencies at all of its speeds."""
     if tip.count == 1:
         flat = tip.receptance(omega.reshape(1, -1))
         return flat.reshape(*omega.shape, 2, 2)[..., :directions, :]
-    every = np.ones((tip.count, omega.shape[1]))
-    every[rows] = omega
-    return tip.receptance(every)[rows][..., :directions, :]
+    all_omega = np.ones((tip.count, omega.shape[1]))
+    all_omega[rows] = omega
+    return tip.receptance(all_omega)[rows][..., :directions, :]
 
 
-def _between(receptance: Callable[[Array], Complex], known: Array, omega: Array) -> Complex:
-    """Receptance at ``omega`` (s, f) by cubic splines through those at ``known`` (s, k), where
-    these are fewer."""
+def _interpolated(receptance: Callable[[Array], Complex], known: Array, omega: Array) -> Complex:
+    """Return the receptance at ``omega`` (s, f) by cubic splines through its values at ``known``
+    (s, k), where these are fewer."""
     if known.shape == omega.shape:
         return receptance(omega)
     from scipy.interpolate import CubicSpline
 
-    found = []
-    for at, values, asked in zip(known, receptance(known), omega, strict=True):
-        once, first = np.unique(at, return_index=True)
-        found.append(CubicSpline(once, values[first])(asked))
-    return np.stack(found)
+    splined = []
+    for at, values, wanted in zip(known, receptance(known), omega, strict=True):
+        distinct, first = np.unique(at, return_index=True)
+        splined.append(CubicSpline(distinct, values[first])(wanted))
+    return np.stack(splined)
 
 
-def _alike(period: Array, most: float) -> Iterator[slice]:
-    """Runs of speeds with periods that differ by up to ``TOGETHER`` and are ``most`` [s] together;
-    periods descend."""
+def _similar_periods(period: Array, most: float) -> Iterator[slice]:
+    """Yield runs of speeds whose periods have ratios up to ``TOGETHER`` and a product with their
+    number up to ``most`` [s]; periods descend."""
     first = 0
     for k in range(1, len(period) + 1):
-        many = (k - first + 1) * period[first] > most
-        if k == len(period) or many or period[first] > TOGETHER * period[k]:
+        too_long = (k - first + 1) * period[first] > most
+        if k == len(period) or too_long or period[first] > TOGETHER * period[k]:
             yield slice(first, k)
             first = k

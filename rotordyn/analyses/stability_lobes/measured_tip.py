@@ -1,4 +1,4 @@
-"""The tip of a tool on a measured spindle as a sum of modes, the same at every cutter speed."""
+"""Tip of a tool on a measured spindle as a sum of modes, the same at every cutter speed."""
 
 from __future__ import annotations
 
@@ -24,19 +24,19 @@ from rotordyn.numerics.vector_fit import Fit, vector_fit
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-SAMPLES = 2000  # of the band, evenly; further ones resolve the peaks of its poles
-NEAR = 1e-4  # of the largest receptance: how near a rational function comes that has its poles
-FURTHER, DAMPED = 20, 0.1  # modes added where the sum is farthest from it, and their damping ratio
-WITHIN = 1e-2  # of the largest receptance: modes are added until they are so near, none driving
+SAMPLES = 2000  # evenly over the band; further ones resolve the peaks of its poles
+NEAR = 1e-4  # of the largest receptance: tolerance of the rational function of first poles
+FURTHER, DAMPED = 20, 0.1  # modes added where the error is largest, and their damping ratio
+WITHIN = 1e-2  # of the largest receptance: tolerance of the sum of modes, and of negative damping
 BEYOND = 1.2  # times the band, within which no mode may drive the tip
 REACH = 1.5  # times the highest mode of the workpiece
-STILL = 0.5  # of the largest receptance: a band that ends higher ends within a peak
+STILL = 0.5  # of the largest receptance: a band that ends above it ends within a peak
 
 
 @dataclass(frozen=True)
 class MeasuredTip:
-    """The tool on ``machine``, measured at rest; ``feed`` [rad] from z in the sense of rotation;
-    modes of the ``workpiece``.
+    """Tip of the tool on ``machine``, measured at rest; ``feed`` [rad] from z in the sense of
+    rotation; modes of the ``workpiece``.
 
     Modes above the band of the measurement act by their static residual.
     """
@@ -68,19 +68,19 @@ class MeasuredTip:
                 f"has {size[-1] / size.max():.0%} of its largest response: measure beyond the peak"
             )
         pole = rational_poles(omega, values.sum(axis=1), NEAR).pole
-        reach = np.linspace(0.0, BEYOND * omega[-1], SAMPLES)[1:]
+        checked = np.linspace(0.0, BEYOND * omega[-1], SAMPLES)[1:]
         fit: Fit | None = None
         for _ in range(FURTHER):
-            near = frequencies_near(pole)  # peaks may lie between the samples
-            omega = np.union1d(omega, near[(near > omega[0]) & (near < omega[-1])])
+            peaks = frequencies_near(pole)  # peaks may lie between the samples
+            omega = np.union1d(omega, peaks[(peaks > omega[0]) & (peaks < omega[-1])])
             values = self._receptance(omega)
             size = np.abs(values).max(axis=1)
             if fit is not None:
-                gain = fit(np.union1d(reach, near[near < reach[-1]])).imag.max()
-                missed = np.abs(values - fit(omega)).max(axis=1)
-                if max(missed.max(), gain) <= WITHIN * size.max():
+                gain = fit(np.union1d(checked, peaks[peaks < checked[-1]])).imag.max()
+                error = np.abs(values - fit(omega)).max(axis=1)
+                if max(error.max(), gain) <= WITHIN * size.max():
                     return fit
-                pole = np.append(pole, (1j - DAMPED) * omega[missed.argmax()])
+                pole = np.append(pole, (1j - DAMPED) * omega[error.argmax()])
             fit = vector_fit(omega, values, 1.0 / size[:, None], pole)
             pole = fit.pole
         raise InvalidInput(
@@ -89,41 +89,41 @@ class MeasuredTip:
         )
 
     def _receptance(self, omega: Array) -> Complex:
-        """Of the tip in y and z (f, 2), in both that of the plane that was measured."""
-        known = {way: self.machine.tip(way, omega) for way in self.machine.fits}
-        first = next(iter(known.values()))
-        return np.stack([known.get(way, first) for way in "yz"], axis=1)
+        """Return receptance of the tip in y and z (f, 2); one measured plane stands for both."""
+        by_plane = {plane: self.machine.tip(plane, omega) for plane in self.machine.fits}
+        first = next(iter(by_plane.values()))
+        return np.stack([by_plane.get(plane, first) for plane in "yz"], axis=1)
 
     @cached_property
     def modes(self) -> TipModes:
         """Modes of the receptance in feed and normal."""
-        fit, turn = self._fit, feed_and_normal(self.feed)
-        residue = np.einsum("ik,mk,jk->mij", turn, fit.residue, turn)
-        constant = np.einsum("ik,k,jk->ij", turn, fit.constant, turn)
+        fit, rotation = self._fit, feed_and_normal(self.feed)
+        residue = np.einsum("ik,mk,jk->mij", rotation, fit.residue, rotation)
+        constant = np.einsum("ik,k,jk->ij", rotation, fit.constant, rotation)
         tip = of_residues(fit.pole, residue, constant)
         own = TipModes(tip.pole[None], tip.shape[None], tip.participation[None], tip.constant[None])
         return own.beside(self.workpiece)
 
     @cached_property
     def poles(self) -> Complex:
-        """Of modes in the band (1, k) [rad/s]."""
+        """Poles of the modes in the band, and of the workpiece (1, k) [rad/s]."""
         pole = self._fit.pole
-        known = pole[(pole.imag > self.omega[0]) & (pole.imag < self.omega[-1])]
-        return np.concatenate([known, self.workpiece.pole])[None]
+        in_band = pole[(pole.imag > self.omega[0]) & (pole.imag < self.omega[-1])]
+        return np.concatenate([in_band, self.workpiece.pole])[None]
 
     @property
     def growing(self) -> Complex:
-        """None (1,): a sum of modes that drives the tip is refused."""
+        """Zero (1,): no motion grows, since a fit with negative damping is refused."""
         return np.zeros(1, dtype=complex)
 
     @property
     def tops(self) -> Array:
-        """The highest frequency that is known, and beyond the modes of the workpiece (1,)
+        """Highest frequency of the measurement, or one beyond the modes of the workpiece (1,)
         [rad/s]."""
         workpiece = REACH * self.workpiece.pole.imag.max(initial=0.0)
         return np.maximum(self.omega[-1:], workpiece)
 
     def about_poles(self, row: int) -> Array:
-        """Frequencies that resolve the peaks, ascending [rad/s]."""
+        """Return frequencies that resolve the peaks, ascending [rad/s]."""
         near = frequencies_near(self.poles[row])
         return near[near <= self.tops[0]]

@@ -1,4 +1,4 @@
-"""The tip of a tool as a sum of modes, in feed and normal."""
+"""Tip of a tool as a sum of modes, in feed and normal."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from rotordyn.analyses.stability_lobes.workpiece_mode import WorkpieceMode
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-RANK = 1e-10  # of a residue: a second motion smaller than that is rounding
-# of the decay rate of a mode: where its peak is sampled, to either side of its frequency
+RANK = 1e-10  # of a residue: a smaller second singular value is rounding
+# offsets from the frequency of a mode at which its peak is sampled, in its decay rate
 BESIDE_PEAK = np.array([-4.0, -2.0, -1.2, -0.7, -0.35, 0.0, 0.35, 0.7, 1.2, 2.0, 4.0])
 
 
 def frequencies_near(pole: Complex) -> Array:
-    """Frequencies [rad/s] that resolve the peaks of ``pole`` (m,), ascending."""
+    """Return frequencies [rad/s] that resolve the peaks of ``pole`` (m,), ascending."""
     near = np.abs(pole.imag)[:, None] + np.abs(pole.real)[:, None] * BESIDE_PEAK
     return np.unique(near[near > 0.0])
 
 
 def feed_and_normal(feed: float) -> Array:
-    """Directions of feed and normal (2, 2) in y and z, the ``feed`` [rad] from z towards −y."""
+    """Return directions of feed and normal (2, 2) in y and z; ``feed`` [rad] from z towards −y."""
     s, c = math.sin(feed), math.cos(feed)
     return np.array([[-s, c], [c, s]])
 
@@ -56,12 +56,12 @@ class ModalTip:
     constant: Array = field(default_factory=lambda: np.zeros((2, 2)))
 
     def receptance(self, omega: Array) -> Complex:
-        """At angular frequencies (…): (…, 2, 2) [m/N]."""
+        """Return receptance (…, 2, 2) [m/N] at angular frequencies (…)."""
         residue = np.einsum("mi,mj->mij", self.shape, self.participation)
         at = 1j * omega[..., None]
-        ahead = np.tensordot(1.0 / (at - self.pole), residue, axes=1)
-        back = np.tensordot(1.0 / (at - self.pole.conj()), residue.conj(), axes=1)
-        return np.asarray(ahead + back + self.constant)
+        direct = np.tensordot(1.0 / (at - self.pole), residue, axes=1)
+        conjugate = np.tensordot(1.0 / (at - self.pole.conj()), residue.conj(), axes=1)
+        return np.asarray(direct + conjugate + self.constant)
 
     @property
     def frequencies(self) -> Array:
@@ -69,7 +69,7 @@ class ModalTip:
         return frequencies_near(self.pole)
 
     def below(self, top: float) -> ModalTip:
-        """Modes of |pole| below ``top`` [rad/s]; the others by their static residual."""
+        """Return the modes of |pole| below ``top`` [rad/s], and others as a static residual."""
         near = np.abs(self.pole) < top
         far = ~near
         residue = np.einsum("mi,mj->mij", self.shape[far], self.participation[far])
@@ -79,8 +79,8 @@ class ModalTip:
 
 
 def of_workpiece(modes: Sequence[WorkpieceMode]) -> ModalTip:
-    """Modes of a workpiece in feed and normal: its deflection adds to the motion of the tip
-    against it, as the cut pushes both apart."""
+    """Return the modes of a workpiece in feed and normal: its deflection adds to the motion of the
+    tip relative to it, since cutting forces separate both."""
     natural, ratio, stiffness, angle = (
         np.array([getattr(mode, name) for mode in modes], dtype=float)
         for name in ("frequency", "damping", "stiffness", "direction")
@@ -96,8 +96,8 @@ RIGID = of_workpiece(())
 
 
 def of_residues(pole: Complex, residue: Complex, constant: Array) -> ModalTip:
-    """The tip with residues (m, 2, 2) at the poles (m,), each of rank up to 2: a pole whose residue
-    has rank 2 is listed twice."""
+    """Return the tip with residues (m, 2, 2) at the poles (m,), of rank up to 2: a pole whose
+    residue has rank 2 is listed twice."""
     left, size, right = np.linalg.svd(residue)
     kept = size > RANK * size[:, :1]
     at, motion = np.nonzero(kept)

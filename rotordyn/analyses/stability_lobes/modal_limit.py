@@ -1,4 +1,4 @@
-"""The limit of a tip that is a sum of modes, by its Floquet multipliers."""
+"""Stability limit of a tip that is a sum of modes, by Floquet multipliers."""
 
 from __future__ import annotations
 
@@ -19,22 +19,22 @@ from rotordyn.analyses.stability_lobes.spans import SPARE, Spans, refuse_waves
 from rotordyn.analyses.stability_lobes.spec import FLIP, FOLD, HOPF, NONE
 
 Array = NDArray[np.float64]
-CERTAIN = 0.9  # of the depth below which no gain around the loop of force and motion reaches 1
-DEEPEST = 3000.0  # times that depth, while a tooth cuts all the time: deeper is taken as no limit
-DEEP = 0.1  # [m]: limits are looked for down to here in any case, however soft a tip is at first
-LEAST_DAMPED = 0.01  # least damping ratio for that: beside their peaks, modes limit without it
+CERTAIN = 0.9  # of the depth at which a bound on the gain of the loop of force and motion is 1
+DEEPEST = 3000.0  # times that depth, if a tooth always cuts: deeper limits count as infinite
+DEEP = 0.1  # [m]: limits are searched to this depth at least, however soft the tip
+LEAST_DAMPED = 0.01  # least damping ratio for that: away from peaks, damping does not set limits
 JUST_BELOW = 1e-7  # of the depth of period doubling
-SHARE = 0.05  # of the axial pitch between depths tried with edges on a helix
-COARSE, COARSE_SPARE = 0.7, 5  # of the highest frequency, and polynomials: the map for trials
+SHARE = 0.05  # of the axial pitch: step of the depths tried with helical edges
+COARSE, COARSE_SPARE = 0.7, 5  # of the highest frequency, and extra polynomials: map for trials
 MOST_POLYNOMIALS = 500  # of forces over the cut: a limit then takes a minute
-ANGLES = 181  # at which the cutting force is largest
+ANGLES = 181  # of each piece, at which the largest cutting force is searched
 
 
 class Limit(NamedTuple):
     """Largest stable ``depth`` [m], infinite where no depth is unstable; chatter ``frequency`` [Hz]
     just beyond, that of the largest motion; ``kind`` "hopf", "flip" (period doubling), "fold" (of
-    uneven teeth: vibration that repeats with them) or "without a cut" (a mode that grows by
-    itself)."""
+    uneven teeth: vibration that repeats with their pattern) or "without a cut" (a mode that is
+    unstable without it)."""
 
     depth: float
     frequency: float
@@ -45,7 +45,7 @@ UNLIMITED = Limit(math.inf, math.nan, NONE)
 
 
 class Process(NamedTuple):
-    """A cut at the ``period`` [s] of its teeth; ``lag`` [rad/m] of the edges by depth;
+    """A cut with the ``period`` [s] of its teeth; ``lag`` [rad/m] of the edges by depth;
     ``ploughing``: its process damping as a cut whose coefficients are forces by velocity [N s/m²],
     or None."""
 
@@ -55,7 +55,7 @@ class Process(NamedTuple):
     ploughing: Cut | None = None
 
     def floquet(self, tip: ModalTip, top: float, depth: float, spare: int = SPARE) -> Floquet:
-        """The map of a period of the cut with the edges of a depth; ``spare`` polynomials."""
+        """Return the map of a period, edges lagging as at a depth; ``spare``: extra polynomials."""
         lag = self.lag * depth
         spans = Spans(replace(self.cut, lag=lag), self.period, top, spare)
         rubbing = self.ploughing and replace(self.ploughing, lag=lag)
@@ -63,12 +63,12 @@ class Process(NamedTuple):
 
 
 def modal_limit(tip: ModalTip, top: float, process: Process) -> Limit:
-    """Depth of cut up to which milling is stable; ``top`` [rad/s] the highest frequency that
-    matters.
+    """Return the depth of cut up to which milling is stable; ``top`` [rad/s]: highest frequency
+    that matters.
 
     Raises
     ------
-    InvalidInput : more waves in a tooth's cut than can be resolved
+    InvalidInput : a cut over more waves than can be resolved
     """
     refuse_waves(Spans(process.cut, process.period, top), MOST_POLYNOMIALS)
     low = CERTAIN / _gain(tip, process)
@@ -79,12 +79,12 @@ def modal_limit(tip: ModalTip, top: float, process: Process) -> Limit:
         (-1.0,) if process.cut.even else (-1.0, 1.0)
     )  # what repeats with even teeth cuts no chip
     real = math.inf if process.lag > 0.0 else min(fine(0.0).repeating(sign) for sign in signs)
-    damped = _damped(tip)
+    damped = _with_damping(tip)
     deepest = DEEPEST * (low if damped is tip else CERTAIN / _gain(damped, process))
     if process.lag == 0.0:
         deepest *= process.cut.interruption
     deepest = max(deepest, DEEP)
-    high = min(deepest, (1.0 - JUST_BELOW) * real)
+    high = min(deepest, (1.0 - JUST_BELOW) * real)  # ``real`` is exact: only lower ones are sought
     depth = min(first_loss(_radius(coarse), _radius(fine), low, high, step), real)
     if depth > deepest:
         return UNLIMITED
@@ -97,14 +97,14 @@ def modal_limit(tip: ModalTip, top: float, process: Process) -> Limit:
 
 
 def _kind(multiplier: complex, cut: Cut) -> str:
-    """Of even teeth a real multiplier above 0 is that of a machine that is unstable by itself."""
+    """Return the kind of loss; of even teeth a real multiplier > 0 is one of the machine alone."""
     if multiplier.imag != 0.0 or (multiplier.real > 0.0 and cut.even):
         return HOPF
     return FLIP if multiplier.real < 0.0 else FOLD
 
 
-def _damped(tip: ModalTip) -> ModalTip:
-    """The tip with a damping ratio of ``LEAST_DAMPED`` of modes that have less; itself if none."""
+def _with_damping(tip: ModalTip) -> ModalTip:
+    """Return the tip with damping ratios of at least ``LEAST_DAMPED``; itself if none is less."""
     decay = np.minimum(tip.pole.real, -LEAST_DAMPED * np.abs(tip.pole))
     if (decay == tip.pole.real).all():
         return tip
@@ -112,7 +112,7 @@ def _damped(tip: ModalTip) -> ModalTip:
 
 
 def _maps(tip: ModalTip, top: float, process: Process, spare: int) -> Callable[[float], Floquet]:
-    """Maps by depth: one of all depths where edges are straight."""
+    """Return the map as a function of depth; straight edges have one map for all depths."""
     if process.lag > 0.0:
         return lambda depth: process.floquet(tip, top, depth, spare)
     straight = process.floquet(tip, top, 0.0, spare)
@@ -124,19 +124,19 @@ def _radius(maps: Callable[[float], Floquet]) -> Callable[[float], float]:
 
 
 def _gain(tip: ModalTip, process: Process) -> float:
-    """Bound on the loop gain from cutting force by motion to cutting force, per depth [1/m]."""
+    """Return a bound on the loop gain, cutting force → motion → cutting force, by depth [1/m]."""
     omega = tip.frequencies
     size = np.linalg.norm(tip.receptance(omega), 2, axis=(1, 2))
-    found = sum(_largest(process.cut)) * float(size.max())
+    bound = sum(_largest(process.cut)) * float(size.max())
     if process.ploughing is not None:
-        found += _largest(process.ploughing)[0] * float((omega * size).max())
-    return found
+        bound += _largest(process.ploughing)[0] * float((omega * size).max())
+    return bound
 
 
 @lru_cache
 def _largest(cut: Cut) -> tuple[float, float]:
-    """Largest forces of a depth by motion now, and by motions when the teeth before cut, each at
-    its own time: [Pa], or of process damping [N s/m²]."""
+    """Return the largest forces by depth, of the present motion, and of the motions at the previous
+    teeth's cuts: [Pa], or of process damping [N s/m²]."""
     angle = np.concatenate([np.linspace(*piece, ANGLES) for piece in cut.pieces()])
-    each = np.linalg.norm(cut.by_gap(angle), 2, axis=(2, 3)).sum(axis=0)
-    return float(np.linalg.norm(cut.matrix(angle), 2, axis=(1, 2)).max()), float(each.max())
+    delayed = np.linalg.norm(cut.by_gap(angle), 2, axis=(2, 3)).sum(axis=0)
+    return float(np.linalg.norm(cut.matrix(angle), 2, axis=(1, 2)).max()), float(delayed.max())

@@ -1,4 +1,4 @@
-"""Multi-frequency stability of milling at one speed, of a receptance that need not be one of modes.
+"""Multi-frequency stability of milling at one speed, with a receptance of any form.
 
 The forces F(t) = e^{iωt} Σ F_k e^{ikω_T t} over all harmonics of the tooth frequency are a periodic
 function, expanded in polynomials over the spans of the cut. The result is that of infinitely many
@@ -26,33 +26,33 @@ AT_ONCE = 1_000_000  # of (n, p, p or harmonics)
 
 @dataclass(frozen=True)
 class Harmonics:
-    """All harmonics of forces over ``spans`` on a tip of some ``receptance``."""
+    """All harmonics of the forces over ``spans`` on a tip with a ``receptance``."""
 
     spans: Spans
     receptance: Receptance
 
     def motion(self, angle: Array) -> Complex:
-        """Motion by the forces, between polynomials (n, p, 2, p, 2) [m/N] at ``angle`` ωT (n,)."""
+        """Return motion by force between polynomials (n, p, 2, p, 2) [m/N] at ``angle`` ωT (n,)."""
         at = angle[:, None] + 2.0 * math.pi * self.spans.order
-        own = both_signs(self.receptance, at / self.spans.period)
+        values = both_signs(self.receptance, at / self.spans.period)
         basis = self.spans.coefficients(at)
         n, p = len(angle), basis.shape[-1]
-        found = np.empty((n, p, 2, p, 2), dtype=complex)
-        back = np.swapaxes(basis, 1, 2).conj() / self.spans.halves[:, None]
+        result = np.empty((n, p, 2, p, 2), dtype=complex)
+        left = np.swapaxes(basis, 1, 2).conj() / self.spans.halves[:, None]
         for i in range(2):
             for j in range(2):
-                found[:, :, i, :, j] = (back * own[:, None, :, i, j]) @ basis
-        return found
+                result[:, :, i, :, j] = (left * values[:, None, :, i, j]) @ basis
+        return result
 
     def matrix(self, angle: Array) -> Complex:
-        """−H by the motion less what was left of the cut before (n, 2p, 2p): its eigenvalues z on
-        the positive real axis are 1/a."""
+        """Return −H times the motion less that of the previous cut (n, 2p, 2p): its eigenvalues z
+        on the positive real axis are 1/a."""
         same, last = self.spans.delayed
         chip = self.spans.cutting - same - np.exp(-1j * angle)[:, None, None] * last
         return -(chip @ self.motion(angle).reshape(chip.shape))
 
     def eigenvalues(self, angle: Array) -> Complex:
-        """(n, 2p), of some angles at once for the sake of memory."""
+        """Return eigenvalues (n, 2p), some angles at a time to limit memory."""
         size = self.spans.size * max(self.spans.size, len(self.spans.order))
         parts = np.array_split(angle, min(math.ceil(len(angle) * size / AT_ONCE), len(angle)))
         return np.concatenate([np.linalg.eigvals(self.matrix(part)) for part in parts]).astype(
@@ -60,7 +60,7 @@ class Harmonics:
         )
 
     def chatter(self, angle: float, value: float) -> float:
-        """Frequency [Hz] at which the tip moves most, of the eigenvalue nearest to ``value``."""
+        """Return the frequency [Hz] of the largest motion in the mode of eigenvalue ``value``."""
         z, vectors = np.linalg.eig(self.matrix(np.array([angle]))[0])
         force = vectors[:, np.abs(z - value).argmin()]
         return self.spans.chatter(self.receptance, angle, force)

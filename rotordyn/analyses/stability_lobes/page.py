@@ -1,5 +1,5 @@
-"""What a page shows of it: the depth of cut over speed; of one machine all that is drawn beside it,
-its chatter, its pockets and what a planned cut does."""
+"""Report page of stability lobes: depth of cut over speed; of one machine also further limits,
+chatter frequencies, pockets and the planned cut."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ from rotordyn.results.headline import Curve
 
 
 def page(spec: Any, variants: Sequence[Shown]) -> Iterator[Block]:
-    """The charts; of a single speed, what is declared. Of one machine a table of its pockets."""
-    curves = _alone if len(variants) == 1 else _beside_others
+    """Yield charts; of a single speed, declared values. Of one machine, a table of its pockets."""
+    curves = _alone if len(variants) == 1 else _compared
     yield from list(curve_charts(curves, spec, variants)) or declared_blocks(variants)
     if len(variants) == 1:
         yield from _pockets(variants[0].result)
 
 
-def _beside_others(spec: Any, variant: Shown) -> Iterator[Curve]:
-    """Headline curves, and the limit of a motor."""
+def _compared(spec: Any, variant: Shown) -> Iterator[Curve]:
+    """Yield the headline curves and the limit of the motor."""
     result = variant.result
     for curve in headline_curves(spec, variant):
         yield curve
@@ -38,32 +38,34 @@ def _beside_others(spec: Any, variant: Shown) -> Iterator[Curve]:
 
 
 def _alone(spec: Any, variant: Shown) -> Iterator[Curve]:
-    """Of one machine: further limits, frequencies of the chatter, and of a planned cut the
-    vibration and the largest force."""
+    """Yield curves of one machine: further limits, chatter frequencies, and the vibration and
+    largest force of a planned cut."""
     result = variant.result
-    for curve in _beside_others(spec, variant):
+    for curve in _compared(spec, variant):
         yield curve
         if curve.figure == LIMITS and not curve.series:
-            for words, depth in _limits(result):
-                yield curve._replace(y=depth * MILLIMETRE.factor, series=words)
-            for words, depth in _repeating(result):
+            for label, depth in _limits(result):
+                yield curve._replace(y=depth * MILLIMETRE.factor, series=label)
+            for label, depth in _repeating(result):
                 marks = len(depth) + 1
-                yield curve._replace(y=depth * MILLIMETRE.factor, series=words, least=marks)
-            for words, y in (("chatter", result.chatter), ("nearest mode", result.mode_frequency)):
+                yield curve._replace(y=depth * MILLIMETRE.factor, series=label, least=marks)
+            for label, y in (("chatter", result.chatter), ("nearest mode", result.mode_frequency)):
                 look: dict[str, Any] = {"limits": (0.0, None), "least": len(y) + 1}
-                yield Curve(LIMITS, "chatter frequency", "Hz", curve.x, y, words, **look)
+                yield Curve(LIMITS, "chatter frequency", "Hz", curve.x, y, label, **look)
     rpm = result.milling_speed * RPM.factor
     if result.cut_is_stable.any() and len(rpm) > 1:
-        for k, way in enumerate(result.direction):
-            swing = result.tip_vibration[:, k] * MICROMETRE.factor
-            words = "vibration of the tip from peak to peak"
-            yield Curve("milled_surface", words, "µm", rpm, swing, way, limits=(0.0, None))
-        words, force = "largest cutting force", result.cutting_force
-        yield Curve("milled_surface", words, "N", rpm, force, limits=(0.0, None))
+        for k, direction in enumerate(result.direction):
+            vibration = result.tip_vibration[:, k] * MICROMETRE.factor
+            label = "vibration of the tip from peak to peak"
+            yield Curve(
+                "milled_surface", label, "µm", rpm, vibration, direction, limits=(0.0, None)
+            )
+        label, force = "largest cutting force", result.cutting_force
+        yield Curve("milled_surface", label, "N", rpm, force, limits=(0.0, None))
 
 
 def _limits(result: Any) -> Iterator[tuple[str, Any]]:
-    """What stands beside the limits [m], as far as there is such."""
+    """Yield labels and further limits [m]: band, at rest, evenly spaced teeth."""
     if banded(result):
         yield from (("least of the band", result.least), ("largest of the band", result.most))
     yield "by the receptance at rest", result.at_rest
@@ -72,19 +74,19 @@ def _limits(result: Any) -> Iterator[tuple[str, Any]]:
 
 
 def _repeating(result: Any) -> Iterator[tuple[str, Any]]:
-    """Limits [m] where vibration repeats with the teeth, NaN elsewhere."""
-    for kind, words in REPEATING.items():
-        of_it = np.array(result.loss) == kind
-        if of_it.any():
-            yield words, np.where(of_it, result.depth, np.nan)
+    """Yield labels and limits [m] where vibration repeats with the teeth, NaN elsewhere."""
+    for kind, label in REPEATING.items():
+        is_kind = np.array(result.loss) == kind
+        if is_kind.any():
+            yield label, np.where(is_kind, result.depth, np.nan)
 
 
 def _pockets(result: Any) -> Iterator[Table]:
-    """All of them, the deepest first."""
+    """Yield a table of all pockets, the deepest first."""
     speeds = result.pocket_speed, result.pocket_from, result.pocket_to
-    own, low, high = ([number(each * RPM.factor, 0) for each in speed] for speed in speeds)
-    depth = [number(each * MILLIMETRE.factor, 2) for each in result.pocket_depth]
-    rate = [number(each * REMOVAL.factor) for each in result.pocket_removal]
+    top, low, high = ([number(value * RPM.factor, 0) for value in speed] for speed in speeds)
+    depth = [number(value * MILLIMETRE.factor, 2) for value in result.pocket_depth]
+    rate = [number(value * REMOVAL.factor) for value in result.pocket_removal]
     heads = (
         "speed [rpm]",
         "depth of cut [mm]",
@@ -92,5 +94,5 @@ def _pockets(result: Any) -> Iterator[Table]:
         "80 % of it from [rpm]",
         "to [rpm]",
     )
-    if own:
-        yield Table("Pockets", heads, list(zip(own, depth, rate, low, high, strict=True)))
+    if top:
+        yield Table("Pockets", heads, list(zip(top, depth, rate, low, high, strict=True)))

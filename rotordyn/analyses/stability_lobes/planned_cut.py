@@ -1,4 +1,4 @@
-"""The cut that a case plans, at every speed at which it is stable."""
+"""Forced vibration and surface of the planned cut, at every speed at which it is stable."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from rotordyn.analyses.stability_lobes.spec import FLIP
 from rotordyn.analyses.stability_lobes.tip import Tip
 
 Array = NDArray[np.float64]
-SURE = 1.1  # times the planned depth, where that is stable without them, edge forces grow nothing
+SURE = 1.1  # times the planned depth: a cut stable there without edge forces must be so with them
 HARMONICS = 6.0  # times the highest frequency that matters
 VALUES = {
     "surface_error_least": ("least", "wall"),
@@ -34,13 +34,13 @@ VALUES = {
 def planned_cut(
     limits: Limits, operation: Operation, depth: Array, speed: Array, place: NDArray[np.intp]
 ) -> dict[str, Any]:
-    """Fields of the result: of the ``limits`` with their ``depth`` (s,), at ``place`` (s,) among
+    """Return fields of the result, by ``limits`` with their ``depth`` (s,), at ``place`` (s,) among
     all ``speed`` (n,); NaN where the cut is not stable, no speeds where none is planned.
 
     Raises
     ------
-    InvalidInput : so slow a cut that its harmonics are too many
-    NoSolution : forces of the vibration that are not found
+    InvalidInput : a cut so slow that it has too many harmonics
+    NoSolution : forces of the vibration do not converge
     """
     spec, tip = operation.spec, limits.tip
     speed = speed if spec.cut else speed[:0]
@@ -49,7 +49,7 @@ def planned_cut(
         "direction": ("feed", "normal") if spec.cut else (),
     }
     stable = np.zeros(len(speed), dtype=bool)
-    found = {
+    fields = {
         name: np.full((len(speed), *([len(names[dim])] if dim else [])), np.nan)
         for name, (_, dim) in VALUES.items()
     }
@@ -61,22 +61,22 @@ def planned_cut(
         removal[stable] = operation.removal(speed, spec.cut.depth)[stable]
         if spec.cut.tangential_edge or spec.cut.radial_edge:
             kept = stable[place]
-            some = replace(limits, rows=limits.rows[kept], speed=limits.speed[kept])
+            part = replace(limits, rows=limits.rows[kept], speed=limits.speed[kept])
             sure = np.where(depth > SURE * spec.cut.depth, SURE, 1.0) * spec.cut.depth
-            chatters[place[kept]] = ~some.stable(operation.pushed, sure[kept])
+            chatters[place[kept]] = ~part.stable(operation.pushed, sure[kept])
             both = partial(operation.pushed, share=BOTH_WAYS)
-            own = np.full(len(some.rows), spec.cut.depth)
-            chatters[place[kept]] |= ~some.stable(both, own, FLIP)
+            planned = np.full(len(part.rows), spec.cut.depth)
+            chatters[place[kept]] |= ~part.stable(both, planned, FLIP)
         repeats = operation.planned.repeats  # in a revolution, and so in its frequency
         idle = repeats * len(operation.planned.idle)
-        sharpest = _sharpest(tip.high_poles[limits.rows], repeats * limits.speed)
-        width[place] = np.where(stable[place], 2.0 * sharpest, np.nan)
+        sharpest = _least_damping(tip.high_poles[limits.rows], repeats * limits.speed)
+        width[place] = np.where(stable[place], 2.0 * sharpest, np.nan)  # half-power bandwidth 2 ζ
         rows = zip(place.tolist(), limits.rows.tolist(), limits.speed.tolist(), strict=True)
-        for at, row, own in (each for each in rows if stable[each[0]]):
-            forced = operation.forced(own, HARMONICS * float(tip.tops[row]))
+        for at, row, omega in (values for values in rows if stable[values[0]]):
+            forced = operation.forced(omega, HARMONICS * float(tip.tops[row]))
             milled = forced.solve(partial(_receptance, tip.at(row)), spec.walls)
             for name, (attribute, _) in VALUES.items():
-                found[name][at] = getattr(milled, attribute)
+                fields[name][at] = getattr(milled, attribute)
     return {
         "planned_depth": spec.cut.depth if spec.cut else math.nan,
         "planned_feed": spec.feed_per_tooth if spec.cut else math.nan,
@@ -87,13 +87,13 @@ def planned_cut(
         "idle_teeth": idle,
         "edges_chatter": chatters,
         **names,
-        **found,
+        **fields,
     }
 
 
-def _sharpest(pole: NDArray[np.complex128], speed: Array) -> Array:
-    """Least damping ratio of the modes (s, k) that a multiple of a ``speed`` (s,) meets on the way
-    to the next one (s,), 0 where none is met."""
+def _least_damping(pole: NDArray[np.complex128], speed: Array) -> Array:
+    """Return the least damping ratio (s,) of the modes (s, k) that a multiple of ``speed`` (s,)
+    meets up to the next speed, 0 where it meets none."""
     with np.errstate(invalid="ignore"):
         order = pole.imag / speed[:, None]
         after = pole.imag[:-1] / speed[1:, None]
@@ -104,5 +104,5 @@ def _sharpest(pole: NDArray[np.complex128], speed: Array) -> Array:
 
 
 def _receptance(tip: Tip, omega: Array) -> NDArray[np.complex128]:
-    """Of a tip at one speed, at frequencies (f,) ≥ 0: (f, 2, 2)."""
+    """Return the receptance (f, 2, 2) of a tip at one speed, at frequencies (f,) ≥ 0."""
     return np.asarray(tip.receptance(omega[None])[0])

@@ -1,4 +1,4 @@
-"""A planned cut in a few lines of text."""
+"""Lines of text, warnings and headline numbers of a planned cut."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from rotordyn.results.headline import Number
 from rotordyn.results.kinds import Array, Flags
 from rotordyn.results.text import unbroken
 
-UNSETTLED, DEPARTED = 0.01, 0.25  # of a vibration
-COARSE, SEEN = 1 / 6, 1 / 8  # of the width of a resonance: steps that lose 5 % of its peak, and 3 %
-OF_MARGIN = 0.5  # to the limit of stability: contact that moves so much may cross it
-ONE = 1e-3  # of an error of a wall: as equal over its depth it is one number
+UNSETTLED, DEPARTED = 0.01, 0.25  # of a vibration: largest error, and change by moving contact
+COARSE, SEEN = 1 / 6, 1 / 8  # of the width of a resonance: steps that lose 5 % and 3 % of a peak
+OF_MARGIN = 0.5  # of the margin to the limit of stability: contact that moves more may cross it
+ONE = 1e-3  # of an error of a wall: a smaller range over its depth is written as one number
 
 
 def summary(result: StabilityLobesResult) -> list[str]:
-    """What a planned cut does where it is stable: the surface, the tool, the forces."""
+    """Return lines with the surface, vibration and forces of a planned cut where it is stable."""
     stable = result.cut_is_stable
     if not stable.size:
         return []
@@ -38,8 +38,8 @@ def summary(result: StabilityLobesResult) -> list[str]:
     swing = np.where(stable, result.tip_vibration.max(axis=1), 0.0)
     most = int(swing.argmax())
     force, torque, power = (
-        float(np.nanmax(each))
-        for each in (result.cutting_force, result.cutting_torque, result.cutting_power)
+        float(np.nanmax(values))
+        for values in (result.cutting_force, result.cutting_torque, result.cutting_power)
     )
     against = " against the workpiece" if result.workpiece_mode.size else ""
     return [
@@ -55,25 +55,25 @@ def summary(result: StabilityLobesResult) -> list[str]:
 
 
 def numbers(result: StabilityLobesResult) -> Iterator[Number]:
-    """The largest amount of the error of the surface, the highest power and the highest removal
-    rate, absent unless the cut is stable, and its vibration settled, at all speeds that are solved:
-    over unlike speeds machines could not be compared."""
+    """Yield the largest amount of the error of the surface, the highest power and removal rate,
+    absent unless the cut is stable and its vibration converged at all solved speeds: over different
+    speeds machines could not be compared."""
     if not result.cut_is_stable.size:
         return
     stable = not _unstable_cut(result).any() and bool(result.cut_is_stable.any())
     absent = "not settled" if stable else "not stable"
     unsettled = (result.vibration_error > UNSETTLED) | result.edges_chatter
-    whole = stable and not unsettled.any()
-    worst = float(np.nanmax(_worst(result))) * MICROMETRE.factor if whole else np.nan
-    power = float(np.nanmax(result.cutting_power)) / 1e3 if whole else np.nan
+    complete = stable and not unsettled.any()
+    worst = float(np.nanmax(_worst(result))) * MICROMETRE.factor if complete else np.nan
+    power = float(np.nanmax(result.cutting_power)) / 1e3 if complete else np.nan
     yield Number("surface error", "µm", worst, digits=2, absent=absent)
     yield Number("cutting power", "kW", power, digits=2, absent=absent)
-    rate = float(np.nanmax(result.planned_removal)) * REMOVAL.factor if whole else np.nan
+    rate = float(np.nanmax(result.planned_removal)) * REMOVAL.factor if complete else np.nan
     yield Number("planned removal", REMOVAL.unit, rate, absent=absent)
 
 
 def warnings(result: StabilityLobesResult) -> list[str]:
-    """Speeds at which a planned cut is not stable, teeth that leave the cut or have none."""
+    """Return warnings of speeds at which a planned cut is unstable or uncertain, and idle teeth."""
     stable, sentences = result.cut_is_stable, []
     if not stable.size:
         return []
@@ -84,13 +84,13 @@ def warnings(result: StabilityLobesResult) -> list[str]:
             f"{lost.size} of {stable.size} speeds, first at {_milling_rpm(result, int(lost[0]))}: "
             "its vibration and surface are not given there"
         )
-    other = np.flatnonzero(stable & (result.measured <= result.planned_depth))
-    if other.size:
+    on_measured = np.flatnonzero(stable & (result.measured <= result.planned_depth))
+    if on_measured.size:
         sentences.append(
             f"stability_lobes: on the measured spindle the planned cut of "
-            f"{in_mm(result.planned_depth)} is not stable at {other.size} of the "
+            f"{in_mm(result.planned_depth)} is not stable at {on_measured.size} of the "
             f"{stable.sum()} speeds at which it is on the machine as computed, first at "
-            f"{_milling_rpm(result, int(other[0]))}: choose a speed at which both are"
+            f"{_milling_rpm(result, int(on_measured[0]))}: choose a speed at which both are"
         )
     weak = np.flatnonzero(stable & (result.motor_depth < result.planned_depth))
     if weak.size:
@@ -99,10 +99,10 @@ def warnings(result: StabilityLobesResult) -> list[str]:
             f"{weak.size} of {stable.size} speeds, first at {_milling_rpm(result, int(weak[0]))}"
         )
     speed = result.milling_speed
-    wide = result.resonance_width[:-1]
-    coarse = np.flatnonzero((wide > 0.0) & (np.diff(speed) > COARSE * wide * speed[1:]))
+    width = result.resonance_width[:-1]
+    coarse = np.flatnonzero((width > 0.0) & (np.diff(speed) > COARSE * width * speed[1:]))
     if coarse.size:
-        step = SEEN * float((wide * speed[1:])[coarse].min()) * RPM.factor
+        step = SEEN * float((width * speed[1:])[coarse].min()) * RPM.factor
         sentences.append(
             "stability_lobes: speeds are too far apart for the resonances of the planned cut, "
             f"from {_milling_rpm(result, int(coarse[0]))} to "
@@ -116,12 +116,12 @@ def warnings(result: StabilityLobesResult) -> list[str]:
             f"over the whole band of intervals and sources at {doubtful.size} of {stable.size} "
             f"speeds, first at {_milling_rpm(result, int(doubtful[0]))}"
         )
-    pushed = np.flatnonzero(result.edges_chatter)
-    if pushed.size:
+    edges = np.flatnonzero(result.edges_chatter)
+    if edges.size:
         sentences.append(
             "stability_lobes: edge forces follow the vibration where chips begin or end with no "
-            f"thickness, and may let the planned cut chatter at {pushed.size} of {stable.size} "
-            f"speeds, first at {_milling_rpm(result, int(pushed[0]))}: vibration and surface are "
+            f"thickness, and may let the planned cut chatter at {edges.size} of {stable.size} "
+            f"speeds, first at {_milling_rpm(result, int(edges[0]))}: vibration and surface are "
             "not sure there; take less depth or more feed"
         )
     if result.idle_teeth:
@@ -143,17 +143,17 @@ def warnings(result: StabilityLobesResult) -> list[str]:
 
 
 def _worst(result: StabilityLobesResult) -> Array:
-    """Largest amount of the error of a wall at every speed (n,) [m]."""
+    """Return the largest amount of the error of a wall at every speed (n,) [m]."""
     ends = np.stack([result.surface_error_least, result.surface_error_most])
     return np.asarray(np.abs(ends).max(axis=(0, 2)))
 
 
 def _errors(result: StabilityLobesResult, row: int, which: str) -> Iterator[str]:
-    """Errors of the walls at the speed where they are ``which``."""
+    """Yield the text of the errors of the walls at a speed where they are ``which``."""
     walls = zip(
         result.wall, result.surface_error_least[row], result.surface_error_most[row], strict=True
     )
-    told = ", ".join(
+    errors = ", ".join(
         unbroken(
             (f"{wall}-milled wall " if len(result.wall) > 1 else "")
             + (
@@ -164,18 +164,18 @@ def _errors(result: StabilityLobesResult, row: int, which: str) -> Iterator[str]
         )
         for wall, least, most in walls
     )
-    yield f"{which} {told} at {_milling_rpm(result, row)}"
+    yield f"{which} {errors} at {_milling_rpm(result, row)}"
 
 
-def of_speeds(some: int, every: int) -> str:
-    """How many of them in words."""
-    if every == 1:
+def of_speeds(count: int, total: int) -> str:
+    """Return a count of speeds as text, such as "3 of 5 speeds"."""
+    if total == 1:
         return "the speed"
-    return f"all {every} speeds" if some == every else f"{some} of {every} speeds"
+    return f"all {total} speeds" if count == total else f"{count} of {total} speeds"
 
 
 def _unstable_cut(result: StabilityLobesResult) -> Flags:
-    """Speeds (n,) with a limit that a planned cut exceeds."""
+    """Return flags (n,) of the speeds with a limit that a planned cut exceeds."""
     return ~np.isnan(result.depth) & ~result.cut_is_stable
 
 

@@ -1,4 +1,4 @@
-"""Pockets: maxima of the stable depth over speed, and how far the speed may be off."""
+"""Pockets: maxima of the stable depth over speed, and the tolerance of their speed."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 MOST = 8  # pockets
-PROMINENT = 0.05  # of the deepest, by which a pocket is deeper than what is around it
-ENDLESS = 2.0  # times the deepest limit: what stands for none
-KEPT = 0.8  # of the depth of a pocket, which its margin keeps
+PROMINENT = 0.05  # of the deepest limit: least prominence of a pocket
+ENDLESS = 2.0  # times the deepest finite limit: stand-in for an infinite one
+KEPT = 0.8  # of the depth of a pocket: least limit over its range of speeds
 
 
 class Pockets(NamedTuple):
-    """The deepest first: place among the speeds, and ``low`` and ``high``: between them the limit
-    is above ``KEPT`` of the depth [rad/s]."""
+    """Pockets, the deepest first: ``place`` among the speeds; between ``low`` and ``high`` [rad/s]
+    the limit is above ``KEPT`` of the depth."""
 
     place: NDArray[np.intp]
     low: Array
@@ -24,23 +24,23 @@ class Pockets(NamedTuple):
 
 
 def pockets(speed: Array, depth: Array) -> Pockets:
-    """Of a limit (s,) over speed (s,). Where no depth is unstable, and on the way there, there is
-    no pocket. What lies between ``low`` and ``high`` of a deeper one belongs to it."""
+    """Return the pockets of a limit (s,) over speed (s,). Where no depth is unstable, and next to
+    that, there is none. A maximum between ``low`` and ``high`` of a deeper one belongs to it."""
     finite = np.where(np.isfinite(depth), depth, 0.0)
     top = finite.max(initial=0.0)
     finite[np.isposinf(depth)] = ENDLESS * top
-    tops = [k for k in _tops(finite) if np.isfinite(depth[k])]
-    tops = [k for k in tops if _prominence(finite, k) >= PROMINENT * top]
-    found: dict[int, tuple[float, float]] = {}
-    for at in sorted(tops, key=lambda k: -finite[k]):
-        if not any(low <= speed[at] <= high for low, high in found.values()):
-            found[at] = _ends(speed, finite, at)
-    ends = np.array([*found.values()][:MOST], dtype=float).reshape(-1, 2)
-    return Pockets(np.array([*found][:MOST], dtype=np.intp), *ends.T)
+    maxima = [k for k in _maxima(finite) if np.isfinite(depth[k])]
+    maxima = [k for k in maxima if _prominence(finite, k) >= PROMINENT * top]
+    ranges: dict[int, tuple[float, float]] = {}
+    for place in sorted(maxima, key=lambda k: -finite[k]):
+        if not any(low <= speed[place] <= high for low, high in ranges.values()):
+            ranges[place] = _range(speed, finite, place)
+    ends = np.array([*ranges.values()][:MOST], dtype=float).reshape(-1, 2)
+    return Pockets(np.array([*ranges][:MOST], dtype=np.intp), *ends.T)
 
 
-def _tops(depth: Array) -> list[int]:
-    """Places that are higher than what is before and behind them; the middle one of equal ones."""
+def _maxima(depth: Array) -> list[int]:
+    """Return indices of the local maxima; of a plateau, the middle one."""
     first = np.flatnonzero(np.diff(depth, prepend=np.nan) != 0.0)
     last = np.append(first[1:], len(depth)) - 1
     level = depth[first]
@@ -49,8 +49,8 @@ def _tops(depth: Array) -> list[int]:
 
 
 def _prominence(depth: Array, at: int) -> float:
-    """Height of a top above the higher of the lowest places on its two sides, each as far as
-    nothing is higher."""
+    """Return the prominence of a maximum: its height above the higher of the minima on both sides,
+    each taken up to the next higher value."""
     lowest = []
     for side in (depth[at::-1], depth[at:]):
         higher = np.flatnonzero(side > depth[at])
@@ -58,14 +58,14 @@ def _prominence(depth: Array, at: int) -> float:
     return float(depth[at] - max(lowest))
 
 
-def _ends(speed: Array, depth: Array, at: int) -> tuple[float, float]:
-    """Speeds below and above a pocket to which ``KEPT`` of its depth holds."""
+def _range(speed: Array, depth: Array, at: int) -> tuple[float, float]:
+    """Return the speeds below and above a pocket up to which ``KEPT`` of its depth holds."""
     level = KEPT * depth[at]
-    return _until(speed[at::-1], depth[at::-1], level), _until(speed[at:], depth[at:], level)
+    return _falls(speed[at::-1], depth[at::-1], level), _falls(speed[at:], depth[at:], level)
 
 
-def _until(speed: Array, depth: Array, level: float) -> float:
-    """The speed at which the depth first comes down to a level, the last one where it does not."""
+def _falls(speed: Array, depth: Array, level: float) -> float:
+    """Return the speed at which the depth first falls to a level; the last one if it does not."""
     below = np.flatnonzero(depth < level)
     if not below.size:
         return float(speed[-1])

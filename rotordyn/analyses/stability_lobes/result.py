@@ -1,4 +1,4 @@
-"""Stable depth of cut over speed."""
+"""Result of a stability analysis: stable depth of cut over speed."""
 
 from __future__ import annotations
 
@@ -28,26 +28,26 @@ class StabilityLobesResult:
     where no depth is unstable.
 
     ``waves``: periods of the chatter from one tooth to the next, over the longest pitch.
-    ``flip_depth``: least depth of period doubling on the way to the next speed, at ``flip_speed``,
-    by the modes of the speed next to it, where a mode passes k + ½ waves.
-    ``motor_depth``: of the mean torque of the ``motor`` at the speed, and ``motor_removal`` by the
-    lesser of it and the limit. ``at_rest``: what the receptance of the machine at rest gives
-    instead; ``even``: what as many evenly spaced teeth give, NaN where the teeth are evenly spaced;
-    ``measured``: that of the tool on the measured spindle, NaN where none was. ``least``, ``most``:
-    over the intervals of the case and all sources of the cutting coefficients. ``source``: those of
-    a workpiece, that of the limits first; none where the case gives coefficients itself.
-    ``planned_depth``: of a cut that is planned, with its feed by tooth, at ``milling_speed``, which
-    are those of the cutter, none without such a cut; where it is stable follow
-    the error of every ``wall`` that it leaves, least and largest over its depth, of the deepest
-    tooth, positive where material is left, the mean displacement of the tip against the workpiece,
-    its vibration from peak to peak, the largest force, mean torque and power, and the removal rate
-    (``planned_removal``). ``edges_chatter``: where edge forces that follow the vibration may let it
-    chatter. ``idle_teeth`` take off nothing, by their run-out. The vibration moves the ends of its
-    own contact: ``contact_departure``, by how much that changes it, and ``vibration_error``, what
-    it still asks for, both over its size.
+    ``flip_depth``: least depth of period doubling before the next speed, at ``flip_speed``, by the
+    modes of the nearest speed, where a mode passes k + ½ waves.
+    ``motor_depth``: depth that takes the torque of the ``motor`` on average, and ``motor_removal``
+    by the lesser of it and the limit. ``at_rest``: limit by the receptance of the machine at rest;
+    ``even``: limit of as many evenly spaced teeth, NaN where the teeth are evenly spaced;
+    ``measured``: limit of the tool on the measured spindle, NaN without one. ``least``, ``most``:
+    over the intervals of the case and all sources of the cutting coefficients. ``source``: sources
+    of a workpiece, that of the limits first; none where the case gives coefficients itself.
+    ``planned_depth``: of the planned cut, with its feed by tooth, at ``milling_speed``: the speeds
+    of the cutter, none without such a cut; where it is stable it has the error of every ``wall``
+    that it leaves, least and largest over its depth, of the deepest tooth, positive where material
+    is left, the mean displacement of the tip against the workpiece, its peak-to-peak vibration, the
+    largest force, mean torque and power, and the removal rate (``planned_removal``).
+    ``edges_chatter``: edge forces that follow the vibration may cause chatter. ``idle_teeth`` cut
+    nothing, by their run-out. The vibration moves the ends of its own contact:
+    ``contact_departure``, the change of the vibration by that, and ``vibration_error``, the
+    remaining change in its iteration, both over its size.
     ``resonance_width``: twice the least damping ratio of the high modes that a multiple of the
-    frequency of the teeth meets on the way to the next speed, so wide are resonances over speed; 0
-    where none is met.
+    frequency of the teeth meets before the next speed, the width of resonances over speed; 0 where
+    none is met.
     ``pocket``: maxima of the depth over speed, the deepest first. ``error``: largest change of a
     limit at some speeds by a model of twice the frequencies, over the limit.
     """
@@ -249,10 +249,10 @@ class StabilityLobesResult:
 
 
 def banded(result: StabilityLobesResult) -> bool:
-    """Whether the case asks for a band, by intervals or by several sources."""
+    """Return whether limits have a band, by intervals or by several sources."""
     return not np.allclose(result.least, result.most, rtol=1e-12, equal_nan=True)
 
 
 def in_mm(value: float) -> str:
-    """A length [m] as text."""
+    """Format a length [m] in millimetres."""
     return f"{number(value * MILLIMETRE.factor, 2)} mm"

@@ -1,4 +1,4 @@
-"""The stable depth of cut over speed, at every speed's own receptance."""
+"""Solver of stability lobes: stable depth of cut, with the receptance at every speed."""
 
 from __future__ import annotations
 
@@ -33,12 +33,12 @@ Rows = NDArray[np.intp]
 
 
 def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
-    """Limits at every speed asked for, with the machine in its state there; and with that at rest.
+    """Return limits at every speed, with the machine in its state there, and with that at rest.
 
     Raises
     ------
     InvalidInput : a mode without damping; no mode within the frequencies
-    NoSolution : the machine has none at any of the speeds
+    NoSolution : the machine has no solution at any of the speeds
     """
     spec = replace(spec, diameter=spec.across(scene.spindle))
     speeds = np.array(spec.speeds) if spec.speeds else scene.speed[scene.speed > 0.0]
@@ -47,54 +47,54 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
     if not rows.size:
         raise InvalidInput("stability_lobes: no speed above 0 has a solution")
     usable = running.speed[running.usable[rows]]
-    why = dict(zip(running.speed.tolist(), running.outcome, strict=True))
+    outcomes = dict(zip(running.speed.tolist(), running.outcome, strict=True))
     operations = [Operation(spec, *pair) for pair in spec.pairs]
 
     def limits_of(one: Scene, rows: Rows) -> Limits:
         return Limits(_tip(one, spec), rows, one.speed[one.usable[rows]], scene.progress)
 
     modelled = partial(_modelled, spec)
-    running, limits, every, error = converged(running, modelled, limits_of, operations)
-    own = every[0]
-    ends = band(limits, operations, every, spec.interval)
+    running, limits, by_operation, error = converged(running, modelled, limits_of, operations)
+    nominal = by_operation[0]
+    limits_of_band = band(limits, operations, by_operation, spec.interval)
     tip_at_rest = _tip(running.at(np.zeros(1)), spec)
     at_rest = Limits(tip_at_rest, np.zeros_like(rows), usable, scene.progress).of(operations[0])
     even = np.full(len(usable), np.nan)
     if spec.uneven:
         even = _depths(limits.of(replace(operations[0], spec=replace(spec, pitch=()))))
     measured = _on_measured(scene, spec, operations[0], usable)
-    between = flips(limits, operations[0])
+    doubling = flips(limits, operations[0])
 
     place = np.searchsorted(speeds, usable)
-    depth = _spread(place, len(speeds), _depths(own))
-    chatter = _spread(place, len(speeds), np.array([limit.frequency for limit in own]))
+    depth = _spread(place, len(speeds), _depths(nominal))
+    chatter = _spread(place, len(speeds), np.array([limit.frequency for limit in nominal]))
     waves = chatter * operations[0].delays(speeds).max(axis=1)
     removal = operations[0].removal(speeds, depth)
     loss = np.full(len(speeds), NONE, dtype=object)
-    loss[place] = [limit.kind for limit in own]
+    loss[place] = [limit.kind for limit in nominal]
     poles = np.column_stack([limits.tip.poles, limits.tip.growing])
-    nearest = [_nearest(poles[r], o.frequency) for r, o in zip(rows, own, strict=True)]
+    nearest = [_nearest(poles[r], o.frequency) for r, o in zip(rows, nominal, strict=True)]
     modes = _spread(place, len(speeds), np.array(nearest))
     deepest = pockets(speeds, depth)
     by_motor = np.full(len(speeds), np.nan)
     if (motor := scene.spindle.motor) is not None:
         needed = operations[0].torque()
-        given = np.array([motor.torque_at(speed) for speed in speeds.tolist()])
-        by_motor[:] = given / needed if needed > 0.0 else math.inf
+        available = np.array([motor.torque_at(speed) for speed in speeds.tolist()])
+        by_motor[:] = available / needed if needed > 0.0 else math.inf
     of_file = () if spec.workpiece is None else spec.pairs
     coefficients = np.reshape(np.array(of_file, dtype=float), (len(of_file), 2))
     return StabilityLobesResult(
         speed=scene.speed,
         outcome=scene.outcome,
         cutting_speed=speeds,
-        cutting_outcome=tuple(why[speed] for speed in speeds.tolist()),
+        cutting_outcome=tuple(outcomes[speed] for speed in speeds.tolist()),
         depth=depth,
         chatter=chatter,
         loss=tuple(loss.tolist()),
         mode_frequency=modes[:, 0],
         mode_damping=modes[:, 1],
-        flip_depth=_spread(place, len(speeds), between.depth),
-        flip_speed=_spread(place, len(speeds), between.speed),
+        flip_depth=_spread(place, len(speeds), doubling.depth),
+        flip_speed=_spread(place, len(speeds), doubling.speed),
         removal=removal,
         motor="" if motor is None else motor.words,
         motor_depth=by_motor,
@@ -103,8 +103,8 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
         even=_spread(place, len(speeds), even),
         waves=waves,
         measured=_spread(place, len(speeds), measured),
-        least=_spread(place, len(speeds), ends[0]),
-        most=_spread(place, len(speeds), ends[1]),
+        least=_spread(place, len(speeds), limits_of_band[0]),
+        most=_spread(place, len(speeds), limits_of_band[1]),
         workpiece_mode=np.arange(1, len(spec.workpiece_modes) + 1),
         workpiece_frequency=of_workpiece(spec.workpiece_modes).pole.imag / (2.0 * math.pi),
         workpiece="" if spec.workpiece is None else spec.workpiece.name,
@@ -117,7 +117,7 @@ def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
         pocket_removal=removal[deepest.place],
         pocket_from=deepest.low,
         pocket_to=deepest.high,
-        **planned_cut(limits, operations[0], _depths(own), speeds, place),
+        **planned_cut(limits, operations[0], _depths(nominal), speeds, place),
         modelled=_modelled(spec, running),
         error=error,
         error_asked=ALLOWED,
@@ -130,7 +130,7 @@ def _tip(scene: Scene, spec: StabilityLobesSpec) -> Tip:
 
 
 def _modelled(spec: StabilityLobesSpec, scene: Scene) -> float:
-    """Frequency up to which modes of the machine take part [Hz]."""
+    """Return the frequency up to which modes of the machine take part [Hz]."""
     return float(spec.max_frequency * FINER**scene.finer)
 
 
@@ -141,7 +141,7 @@ def _feed(spec: StabilityLobesSpec) -> float:
 def _on_measured(
     scene: Scene, spec: StabilityLobesSpec, operation: Operation, speed: Array
 ) -> Array:
-    """Limits of the tool on the measured spindle (s,) [m], NaN where none was measured."""
+    """Return limits of the tool on the measured spindle (s,) [m], NaN without a measurement."""
     if spec.measured_spindle is None:
         return np.full(len(speed), np.nan)
     machine = OnMeasured(spec.measured_spindle, scene.spindle)
@@ -155,16 +155,16 @@ def _depths(limits: list[Limit]) -> Array:
 
 
 def _spread(place: Rows, count: int, values: Array) -> Array:
-    """Values at usable speeds over all speeds, NaN elsewhere."""
-    found = np.full((count, *values.shape[1:]), np.nan)
-    found[place] = values
-    return found
+    """Spread values at usable speeds over all speeds, NaN elsewhere."""
+    spread = np.full((count, *values.shape[1:]), np.nan)
+    spread[place] = values
+    return spread
 
 
 def _nearest(pole: Complex, hertz: float) -> tuple[float, float]:
-    """Frequency [Hz] and damping ratio of the mode next to a chatter frequency."""
-    known = pole[np.isfinite(pole) & (pole != 0.0)]
-    if not math.isfinite(hertz) or not known.size:
+    """Return frequency [Hz] and damping ratio of the mode nearest to a chatter frequency."""
+    finite = pole[np.isfinite(pole) & (pole != 0.0)]
+    if not math.isfinite(hertz) or not finite.size:
         return math.nan, math.nan
-    own = known[np.abs(known.imag - 2.0 * math.pi * hertz).argmin()]
-    return float(own.imag) / (2.0 * math.pi), float(-own.real / abs(own))
+    nearest = finite[np.abs(finite.imag - 2.0 * math.pi * hertz).argmin()]
+    return float(nearest.imag) / (2.0 * math.pi), float(-nearest.real / abs(nearest))

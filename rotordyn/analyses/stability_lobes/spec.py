@@ -1,4 +1,4 @@
-"""What a case asks of the stability of cutting (SI)."""
+"""Description of a stability analysis of milling or turning (SI)."""
 
 from __future__ import annotations
 
@@ -51,8 +51,8 @@ OF_MILLING = (
     "helix",
     "cut",
 )
-ROUND = math.radians(0.1)  # by which pitches may miss a full turn, as rounded angles do
-SAME = 1e-6  # of a diameter that is given twice
+ROUND = math.radians(0.1)  # tolerance of the sum of pitches, whose angles may be rounded
+SAME = 1e-6  # relative tolerance of a diameter that is given twice
 ALIKE = 1e-9  # rad: pitches that differ by less are equal
 Immersion = Annotated[float, Quantity("ratio", above="0 %", at_most="100 %")]
 Helix = Annotated[float, Quantity("angle", at_least="0 deg", below="90 deg")]
@@ -80,7 +80,7 @@ class Turning(Description):
 
 @dataclass(frozen=True, slots=True)
 class Interval(Description):
-    """By how much values of the model may be off, as a share of them to both sides."""
+    """Relative uncertainty of values of the model, to both sides."""
 
     stiffness: Annotated[Share, "of the whole machine, not of a flexible workpiece"] = 0.0
     damping: Annotated[Share, "ratios of all modes"] = 0.0
@@ -89,8 +89,8 @@ class Interval(Description):
 
 @dataclass(frozen=True, slots=True)
 class PlannedCut(Description):
-    """A milling cut of which forces, forced vibration and the error of the surface are asked where
-    it is stable, with the ``feed_per_tooth`` beside it."""
+    """A milling cut whose forces, forced vibration and error of the surface are computed where it
+    is stable, with the ``feed_per_tooth`` of the analysis."""
 
     depth: Annotated[CutDepth, "axial depth of cut"]
     tangential_edge: Annotated[
@@ -175,7 +175,7 @@ class StabilityLobesSpec(Spec):
 
     @property
     def ends(self) -> tuple[float, float]:
-        """Entry and exit of a tooth [rad], from the normal towards the feed."""
+        """Entry and exit angle of a tooth [rad], from the normal towards the feed."""
         if self.milling == "up":
             return 0.0, math.acos(1.0 - 2.0 * self.immersion)
         if self.milling == "down":
@@ -183,29 +183,29 @@ class StabilityLobesSpec(Spec):
         return 0.0, math.pi
 
     def across(self, spindle: Spindle) -> float | None:
-        """Diameter of the cutter, or of the workpiece in turning [m]; None if nothing gives it."""
+        """Return the diameter of the cutter, or of the work in turning [m]; None if not given."""
         return self.diameter or (None if self.turning else spindle.cutter_diameter)
 
     @property
     def uneven(self) -> bool:
-        """The teeth are not evenly spaced."""
-        return any(abs(each - self.pitch[0]) > ALIKE for each in self.pitch)
+        """Whether the teeth are unevenly spaced."""
+        return any(abs(pitch - self.pitch[0]) > ALIKE for pitch in self.pitch)
 
     @property
     def pitches(self) -> tuple[float, ...]:
-        """``pitch`` [rad], a full turn together."""
-        whole = math.fsum(self.pitch)
-        return tuple(2.0 * math.pi * each / whole for each in self.pitch)
+        """``pitch`` [rad], scaled to a sum of 2π."""
+        total = math.fsum(self.pitch)
+        return tuple(2.0 * math.pi * pitch / total for pitch in self.pitch)
 
     @property
     def walls(self) -> tuple[str, ...]:
-        """Walls that milling leaves: where teeth enter, up, and where they leave, down."""
+        """Walls that milling leaves: "up" where teeth enter, "down" where they leave."""
         return ("up", "down") if self.milling == "slot" else (self.milling,)
 
     @property
     def pairs(self) -> tuple[tuple[float, float], ...]:
-        """Tangential and radial coefficient [Pa] of every source, of which the first is taken as
-        the most likely; one pair without meaning in turning."""
+        """Tangential and radial coefficient [Pa] of every source, the most likely first; in turning
+        one pair without meaning."""
         if self.workpiece is not None:
             return self.workpiece.pairs
         return ((self.tangential or 0.0, self.radial or 0.0),)
@@ -217,26 +217,26 @@ class StabilityLobesSpec(Spec):
                 if getattr(self, key):
                     yield (key,), "of milling: given beside turning; leave one of both out"
             return
-        yield from self._of_milling()
+        yield from self._milling_faults()
 
-    def _of_milling(self) -> Faults:
+    def _milling_faults(self) -> Faults:
         if not self.teeth:
             yield ("teeth",), "missing key: the number of teeth, or turning"
-        whole, many = math.fsum(self.pitch), len(self.pitch)
-        if not many or not self.teeth or whole != whole:
-            pass  # none, or told already
-        elif many != self.teeth:
-            yield ("pitch",), f"given {many} in number; allowed: {self.teeth}, one to each tooth"
-        elif abs(whole - 2.0 * math.pi) > ROUND:
+        total, count = math.fsum(self.pitch), len(self.pitch)
+        if not count or not self.teeth or total != total:
+            pass  # no pitch, or a fault reported already
+        elif count != self.teeth:
+            yield ("pitch",), f"given {count} in number; allowed: {self.teeth}, one to each tooth"
+        elif abs(total - 2.0 * math.pi) > ROUND:
             yield (
                 ("pitch",),
-                f"given {math.degrees(whole):.6g}° together; allowed: 360°, a full turn",
+                f"given {math.degrees(total):.6g}° together; allowed: 360°, a full turn",
             )
         if self.cut is not None and self.teeth and len(self.cut.runout) not in (0, self.teeth):
-            many = len(self.cut.runout)
+            count = len(self.cut.runout)
             yield (
                 ("cut", "runout"),
-                f"given {many} in number; allowed: {self.teeth}, one to each tooth",
+                f"given {count} in number; allowed: {self.teeth}, one to each tooth",
             )
         given = [self.tangential is not None, self.radial is not None]
         if self.workpiece is None and not all(given):
@@ -262,8 +262,8 @@ class StabilityLobesSpec(Spec):
             unnamed = [*unknown("point", self.point, [*setting.spindle.places])]
             yield from ((("point",), sentence) for sentence in unnamed)
             if self.measured_spindle is not None and not unnamed:
-                yield from self._measured(self.measured_spindle, setting.spindle)
-        yield from self._of_diameter(setting.spindle)
+                yield from self._measured_faults(self.measured_spindle, setting.spindle)
+        yield from self._diameter_faults(setting.spindle)
         if setting.conditions.formulation == ROTATING:
             yield (), "the cut stands still: given beside rotating; allowed: formulation inertial"
         if undamped(setting.spindle):
@@ -282,8 +282,8 @@ class StabilityLobesSpec(Spec):
         if not self.speeds and setting.top <= 0.0:
             yield ("speeds",), "no speed above 0: give speeds of the limits here"
 
-    def _of_diameter(self, spindle: Spindle) -> Faults:
-        own, of_tool = self.diameter, spindle.cutter_diameter
+    def _diameter_faults(self, spindle: Spindle) -> Faults:
+        diameter, of_tool = self.diameter, spindle.cutter_diameter
         if self.across(spindle) is None:
             what = (
                 "of the workpiece"
@@ -291,14 +291,14 @@ class StabilityLobesSpec(Spec):
                 else "of the cutter, or cutter_diameter of the tool"
             )
             yield ("diameter",), f"missing key: the diameter {what}"
-        elif own and of_tool and not self.turning and abs(own / of_tool - 1.0) > SAME:
+        elif diameter and of_tool and not self.turning and abs(diameter / of_tool - 1.0) > SAME:
             yield (
                 ("diameter",),
                 f"given {{given}} beside a tool of {of_tool * 1e3:.6g} mm: leave it out, or "
                 "cutter_diameter of the tool",
             )
 
-    def _measured(self, measured: MeasuredSpindle, spindle: Spindle) -> Faults:
+    def _measured_faults(self, measured: MeasuredSpindle, spindle: Spindle) -> Faults:
         yield from within(("measured_spindle",), measured.faults_on(spindle))
         if self.point and not at_front(spindle, self.point):
             yield (

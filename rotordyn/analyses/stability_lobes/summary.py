@@ -1,4 +1,4 @@
-"""Stability of milling in a few lines of text."""
+"""Lines of text, warnings and headline numbers of stability lobes."""
 
 from __future__ import annotations
 
@@ -27,21 +27,21 @@ from rotordyn.results.kinds import Array, Flags
 from rotordyn.results.text import unbroken
 
 MOST = 4  # pockets named
-LOWER = 0.95  # times the limits beside it: so deep a flip between speeds is said
-# waves between teeth more or less from speed to speed; δ of them off the lowest point of a lobe a
-# limit is up to 1/cos 2πδ times as high: steps may lose 24 %, and 8 %
+LOWER = 0.95  # times the adjacent limits: period doubling below it between speeds is reported
+# change of the waves between teeth from speed to speed; at a distance of δ waves from the lowest
+# point of a lobe a limit is up to 1/cos 2πδ times as high: steps may lose 24 %, and 8 %
 SKIPPED, SEEN = 0.2, 0.125
 AS_MUCH = 0.999  # of the highest removal rate
-MOVED = 1.25  # times: limits so far from those of the machine at rest are said
+MOVED = 1.25  # least ratio of limits to those of the machine at rest that is reported
 
 
 def summary(result: StabilityLobesResult) -> list[str]:
-    """The least limit with its chatter, and the deepest pockets."""
+    """Return lines with the least limit and its chatter, and the deepest pockets."""
     if not np.isfinite(result.depth).any():
         solved = ", where it is solved" if any(result.cutting_outcome) else ""
         none = f"chatter    no depth of cut is unstable at the speeds of the cutter{solved}"
-        rest = [*_band(result), *_motor(result), *planned_summary.summary(result)]
-        return [*_material(result), none, *rest]
+        further = [*_band(result), *_motor(result), *planned_summary.summary(result)]
+        return [*_material(result), none, *further]
     pockets = [
         unbroken(
             f"{in_mm(depth)} at {number(speed * RPM.factor, 0)} rpm "
@@ -63,15 +63,15 @@ def summary(result: StabilityLobesResult) -> list[str]:
 
 
 def _least(result: StabilityLobesResult) -> list[str]:
-    """The least limit of the cut, and of how many speeds it is."""
+    """Return the line of the least limit, and of how many speeds."""
     depth, growing = result.depth, _growing(result)
     depth = np.where(growing, np.nan, depth)
     if np.isnan(depth).all():
         return ["chatter    no depth is stable: the machine is unstable without a cut"]
     if not np.isfinite(depth).any():
         return []
-    row, many = int(np.nanargmin(depth)), int((~np.isnan(depth)).sum())
-    speeds = f" at {'the other' if growing.any() else 'all'} {many} speeds" if many > 1 else ""
+    row, count = int(np.nanargmin(depth)), int((~np.isnan(depth)).sum())
+    speeds = f" at {'the other' if growing.any() else 'all'} {count} speeds" if count > 1 else ""
     of_it = np.isin(result.mode_frequency[row], result.workpiece_frequency)
     return [
         f"chatter    stable up to {in_mm(depth[row])}{speeds}, limited at {_rpm(result, row)} by "
@@ -81,30 +81,30 @@ def _least(result: StabilityLobesResult) -> list[str]:
 
 
 def _growing(result: StabilityLobesResult) -> Flags:
-    """Speeds at which the machine is unstable by itself."""
+    """Return flags of the speeds at which the machine is unstable without a cut."""
     return np.array(result.loss) == WITHOUT_CUT
 
 
 def _material(result: StabilityLobesResult) -> list[str]:
-    """Modes of the workpiece; its cutting coefficients: those of the limits, then those of the
-    band."""
-    modes = ", ".join(number(each) for each in result.workpiece_frequency)
-    some = "a mode" if result.workpiece_mode.size == 1 else "modes"
-    moved = [f"workpiece  flexible, {some} at {modes} Hz"] if modes else []
+    """Return lines of the modes of the workpiece, and of its cutting coefficients: of the limits,
+    then of the band."""
+    modes = ", ".join(number(value) for value in result.workpiece_frequency)
+    noun = "a mode" if result.workpiece_mode.size == 1 else "modes"
+    flexible = [f"workpiece  flexible, {noun} at {modes} Hz"] if modes else []
     if not result.source.size:
-        return moved
+        return flexible
     pairs = zip(result.tangential, result.radial, strict=True)
-    own, *others = (
-        unbroken(" and ".join(number(each * MEGAPASCAL.factor, 0) for each in pair))
+    first, *others = (
+        unbroken(" and ".join(number(value * MEGAPASCAL.factor, 0) for value in pair))
         for pair in pairs
     )
     also = f"; by other sources {', '.join(others)}" if others else ""
     name = result.workpiece or "workpiece"
-    return [f"material   {name}, Ktc and Krc [MPa]: {own}{also}", *moved]
+    return [f"material   {name}, Ktc and Krc [MPa]: {first}{also}", *flexible]
 
 
 def _band(result: StabilityLobesResult) -> list[str]:
-    """The least limit over intervals and sources."""
+    """Return the line of the least limit over intervals and sources."""
     least = np.where(_growing(result), np.nan, result.least)
     if not banded(result) or not np.isfinite(least).any():
         return []
@@ -116,7 +116,7 @@ def _band(result: StabilityLobesResult) -> list[str]:
 
 
 def _unlimited(result: StabilityLobesResult) -> list[str]:
-    """Speeds at which every depth is stable."""
+    """Return the line of speeds at which every depth is stable."""
     rows = np.flatnonzero(np.isposinf(result.depth))
     if not rows.size:
         return []
@@ -137,9 +137,9 @@ def _unlimited(result: StabilityLobesResult) -> list[str]:
 
 
 def numbers(result: StabilityLobesResult, _: Described) -> Iterator[Number]:
-    """Least limit, infinite where no depth is unstable, that on a measured spindle and that of the
-    band, deepest pocket with its speed, highest removal rate within stability and motor, and those
-    of a planned cut."""
+    """Yield the least limit, infinite where no depth is unstable, that on a measured spindle and of
+    the band, the deepest pocket with its speed, the highest removal rate within stability and
+    motor, and numbers of a planned cut."""
     yield _lowest("least", result.depth)
     if not np.isnan(result.measured).all():
         yield _lowest("measured least", result.measured)
@@ -156,29 +156,29 @@ def numbers(result: StabilityLobesResult, _: Described) -> Iterator[Number]:
 
 
 def _lowest(name: str, depth: Array) -> Number:
-    """The least of depths over speed."""
+    """Return the least of depths over speed."""
     return Number(name, "mm", float(np.fmin.reduce(depth)) * MILLIMETRE.factor, digits=2)
 
 
 def lacking(_: StabilityLobesResult) -> Iterator[Number]:
-    """Pockets, of which there may be none."""
+    """Yield the numbers of pockets, of which a result may have none, as NaN."""
     yield Number("pocket", "mm", np.nan)
     yield Number("pocket at", "rpm", np.nan)
 
 
 def _motor(result: StabilityLobesResult) -> list[str]:
-    """Where the motor limits the cut rather than chatter, and the most that both let remove."""
+    """Return the line of speeds at which the motor limits the cut, and the highest removal rate."""
     if not result.motor:
         return []
-    known = ~np.isnan(result.depth)
+    solved = ~np.isnan(result.depth)
     less = int((result.motor_depth < result.depth).sum())
-    if len(known) == 1:
+    if len(solved) == 1:
         order = "before" if less else "after"
         line = f"motor      {result.motor}: limits the cut {order} chatter does"
     else:
-        where = planned_summary.of_speeds(less, int(known.sum())) if less else "no speed"
+        where = planned_summary.of_speeds(less, int(solved.sum())) if less else "no speed"
         line = f"motor      {result.motor}: limits the cut before chatter does at {where}"
-    rate = np.where(known, result.motor_removal, 0.0)
+    rate = np.where(solved, result.motor_removal, 0.0)
     if 0.0 < rate.max() < np.inf:
         depth = np.minimum(result.depth, result.motor_depth)
         most = rate >= AS_MUCH * rate.max()
@@ -194,14 +194,14 @@ def _motor(result: StabilityLobesResult) -> list[str]:
 
 
 def _even(result: StabilityLobesResult) -> list[str]:
-    """The least limit of evenly spaced teeth, and where it differs most."""
+    """Return the line of the least limit of evenly spaced teeth, and where it differs most."""
     even = np.where(_growing(result), np.nan, result.even)
     if np.isnan(even).all():
         return []
     row, ratio = _largest_difference(result.depth, even)
     line = "even pitch evenly spaced teeth would be stable"
-    known = np.isfinite(even).any()
-    line += f" up to {in_mm(np.nanmin(even))}" if known else " at any depth"
+    finite = np.isfinite(even).any()
+    line += f" up to {in_mm(np.nanmin(even))}" if finite else " at any depth"
     if ratio > 1.0:
         line += (
             f"; the uneven ones differ most at {_rpm(result, row)}: {in_mm(result.depth[row])} in "
@@ -211,7 +211,7 @@ def _even(result: StabilityLobesResult) -> list[str]:
 
 
 def _at_rest(result: StabilityLobesResult) -> list[str]:
-    """Where the machine at rest would mislead most."""
+    """Return the line of the speed at which the machine at rest would mislead most."""
     row, ratio = _largest_difference(result.at_rest, result.depth)
     if ratio <= MOVED:
         return []
@@ -222,7 +222,7 @@ def _at_rest(result: StabilityLobesResult) -> list[str]:
 
 
 def _measured(result: StabilityLobesResult) -> list[str]:
-    """The least limit of the tool on the measured spindle, and where it differs most."""
+    """Return the line of the least limit on the measured spindle, and where it differs most."""
     if not np.isfinite(result.measured).any():
         return []
     row = int(np.nanargmin(result.measured))
@@ -241,8 +241,8 @@ def _measured(result: StabilityLobesResult) -> list[str]:
 
 
 def _largest_difference(one: Array, other: Array) -> tuple[int, float]:
-    """Row at which two limits differ most, and their ratio there, from 1, infinite where one is 0;
-    0 where none is known."""
+    """Return the row at which two limits differ most, and their ratio ≥ 1 there, infinite where one
+    is 0; 0 where no pair is finite."""
     with np.errstate(divide="ignore", invalid="ignore"):
         ratio = np.maximum(one / other, other / one)
     ratio = np.where(np.isfinite(one) & np.isfinite(other), np.nan_to_num(ratio, posinf=np.inf), 0)
@@ -255,13 +255,13 @@ def _rpm(result: StabilityLobesResult, row: int) -> str:
 
 
 def accuracy(result: StabilityLobesResult) -> list[str]:
-    """By how much limits change with a finer model."""
+    """Return the line of the change of limits by a finer model."""
     within = f"within {rounded_up(result.error)}" if np.isfinite(result.error) else "not known"
     return [f"limits {within} by modes up to {number(result.modelled, 0)} Hz"]
 
 
 def warnings(result: StabilityLobesResult) -> list[str]:
-    """Speeds without a solution, where period doubling limits, modes that are missing."""
+    """Return warnings of failed speeds, period doubling, missed lobes and missing modes."""
     sentences = []
     failed = [row for row, word in enumerate(result.cutting_outcome) if word]
     if failed:
@@ -295,9 +295,9 @@ def warnings(result: StabilityLobesResult) -> list[str]:
     sentences += _skipped(result) + _flips(result) + planned_summary.warnings(result)
     if result.error > result.error_asked:
         percent = f"by {number(100.0 * result.error, 0)} %"
-        much = percent if np.isfinite(result.error) else "from none or to none"
+        amount = percent if np.isfinite(result.error) else "from none or to none"
         sentences.append(
-            f"stability_lobes: limits still change {much} with modes above "
+            f"stability_lobes: limits still change {amount} with modes above "
             f"{number(result.modelled, 0)} Hz: raise max_frequency, or give damping to such modes"
         )
     elif (highest := float(np.nanmax(result.chatter, initial=0.0))) > result.modelled:
@@ -310,8 +310,8 @@ def warnings(result: StabilityLobesResult) -> list[str]:
 
 
 def _skipped(result: StabilityLobesResult) -> list[str]:
-    """That lobes pass unseen between speeds, at each of which another number of waves fits between
-    two teeth."""
+    """Return the warning that speeds are too far apart for lobes, each of which has another number
+    of waves between two teeth."""
     speed, chatter = result.cutting_speed, np.where(_growing(result), np.nan, result.chatter)
     delay = result.waves / chatter * speed  # times speed: the longest pitch
     chatter = np.fmax(chatter[1:], chatter[:-1])
@@ -331,18 +331,18 @@ def _skipped(result: StabilityLobesResult) -> list[str]:
 
 
 def _flips(result: StabilityLobesResult) -> list[str]:
-    """That period doubling limits the cut between speeds."""
-    beside = np.fmin(result.depth[:-1], result.depth[1:])
-    rows = np.flatnonzero(result.flip_depth[:-1] < LOWER * beside)
+    """Return the warning that period doubling limits the cut between speeds."""
+    adjacent = np.fmin(result.depth[:-1], result.depth[1:])
+    rows = np.flatnonzero(result.flip_depth[:-1] < LOWER * adjacent)
     if not rows.size:
         return []
     lowest = rows[np.argmin(result.flip_depth[rows])]
-    speed = [number(each * RPM.factor, 0) for each in result.flip_speed]
+    speed = [number(value * RPM.factor, 0) for value in result.flip_speed]
     others = [speed[row] for row in rows if row != lowest]
     also = f", and at about {', '.join(others[:MOST])} rpm" if others else ""
     more = f" and {len(others) - MOST} more speeds" if len(others) > MOST else ""
     return [
         "stability_lobes: between speeds period doubling limits the cut, at about "
         f"{speed[lowest]} rpm to {in_mm(result.flip_depth[lowest])} where limits beside it are "
-        f"{in_mm(beside[lowest])} and more{also}{more}: add speeds there"
+        f"{in_mm(adjacent[lowest])} and more{also}{more}: add speeds there"
     ]

@@ -1,9 +1,9 @@
-"""Receptance of the tip of the tool against the workpiece in feed and normal, at every speed.
+"""Receptance between the tip of the tool and the workpiece in feed and normal, at every speed.
 
 It is the sum of that of the machine, from its free motions, and that of the modes of the workpiece.
 
 Teeth turn from the normal to the feed as the spindle turns from y to z: normal = y and feed = z,
-both turned by the angle of the feed. With the opposite sense the gyroscopic cross receptances
+both rotated by the angle of the feed. With the opposite sense the gyroscopic cross receptances
 would have the opposite sign.
 """
 
@@ -35,15 +35,15 @@ from rotordyn.scene.stability import fastest_growth
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-UNDAMPED = 1e-9  # of the frequency: a pole so near to the axis has no damping
-HIGH = 0.25  # of the highest peak
+UNDAMPED = 1e-9  # damping ratio below which a pole counts as undamped
+HIGH = 0.25  # of the highest peak: least height of high peaks
 BEYOND = 1.5  # times the highest mode that matters
 
 
 @dataclass(frozen=True)
 class Tip:
-    """The tip at the usable speeds of a scene; ``feed`` [rad] from z in the sense of rotation;
-    ``workpiece``: its modes, alike at all speeds."""
+    """Tip of the tool at the usable speeds of a scene; ``feed`` [rad] from z in the sense of
+    rotation; modes below ``highest`` [Hz]; modes of the ``workpiece``, the same at all speeds."""
 
     scene: Scene
     point: str
@@ -57,19 +57,19 @@ class Tip:
         directions y = 0 and z = 1 in each, rows of these directions (k, n)."""
         place = self.scene.spindle.place(self.point)
         grouped: dict[int, list[int]] = {}
-        for k, way in enumerate("yz"):
-            grouped.setdefault(self.scene.owner(self.point, way), []).append(k)
+        for k, direction in enumerate("yz"):
+            grouped.setdefault(self.scene.owner(self.point, direction), []).append(k)
         parts = []
-        for system, ways in grouped.items():
+        for system, directions in grouped.items():
             motions = self.scene.system(system)
-            rows = np.array([motions.linear.row(*place, "yz"[way]) for way in ways])
-            pairs = [(one, other) for one in ways for other in ways]
+            rows = np.array([motions.linear.row(*place, "yz"[k]) for k in directions])
+            pairs = [(i, j) for i in directions for j in directions]
             parts.append((motions, pairs, rows))
         return parts
 
     @property
     def count(self) -> int:
-        """Speeds."""
+        """Number of speeds."""
         return len(self._speed)
 
     @property
@@ -77,70 +77,71 @@ class Tip:
         return self._parts[0][0].linear.speed
 
     @property
-    def _turn(self) -> Array:
+    def _axes(self) -> Array:
         return feed_and_normal(self.feed)
 
     def receptance(self, omega: Array) -> Complex:
-        """Receptance (s, f, 2, 2) [m/N] at frequencies (s, f) [rad/s], others at each speed."""
-        whole = np.zeros((*omega.shape, 2, 2), dtype=complex)
+        """Return receptance (s, f, 2, 2) [m/N] at the frequencies (s, f) [rad/s] of each speed."""
+        total = np.zeros((*omega.shape, 2, 2), dtype=complex)
         for motions, pairs, rows in self._parts:
-            ways = sorted({one for one, _ in pairs})
-            responses = np.array([rows[ways.index(one)] for one, _ in pairs])
-            excitations = np.array([rows[ways.index(other)] for _, other in pairs])
+            directions = sorted({i for i, _ in pairs})
+            responses = np.array([rows[directions.index(i)] for i, _ in pairs])
+            excitations = np.array([rows[directions.index(j)] for _, j in pairs])
             values = motions.receptance(omega, responses, excitations)
-            for k, (one, other) in enumerate(pairs):
-                whole[..., one, other] = values[:, k]
-        return np.asarray(self._turn @ whole @ self._turn.T) + self.workpiece.receptance(omega)
+            for k, (i, j) in enumerate(pairs):
+                total[..., i, j] = values[:, k]
+        return np.asarray(self._axes @ total @ self._axes.T) + self.workpiece.receptance(omega)
 
     @cached_property
     def modes(self) -> TipModes | None:
-        """Modes whose sum is the receptance; None with loss factors or rigid-body modes, where it
-        is no such sum."""
+        """Modes whose sum is the receptance; None with loss factors or rigid-body modes, for which
+        it is no such sum."""
         poles, shapes, participations = [], [], []
         for motions, pairs, rows in self._parts:
             if motions.lossy is not None or motions.modes.condition.max() >= WELL_CONDITIONED:
                 return None
-            both = np.eye(2)[sorted({one for one, _ in pairs})] @ self._turn.T
+            directions = np.eye(2)[sorted({i for i, _ in pairs})] @ self._axes.T
             # a real pole is its own conjugate, which ``ModalTip`` adds
-            twice = (motions.pole.imag == 0.0) & (not motions.whirling)
-            shape = np.einsum("wn,snk->skw", rows, motions.vector) @ both
+            is_real = (motions.pole.imag == 0.0) & (not motions.whirling)
+            shape = np.einsum("wn,snk->skw", rows, motions.vector) @ directions
             poles.append(motions.pole)
-            shapes.append(np.where(twice[..., None], 0.5 * shape, shape))
-            participations.append(np.einsum("skn,wn->skw", motions.left, rows) @ both)
-        own = TipModes(*(np.concatenate(each, axis=1) for each in (poles, shapes, participations)))
-        return own.beside(self.workpiece)
+            shapes.append(np.where(is_real[..., None], 0.5 * shape, shape))
+            participations.append(np.einsum("skn,wn->skw", motions.left, rows) @ directions)
+        tool = TipModes(*(np.concatenate(each, axis=1) for each in (poles, shapes, participations)))
+        return tool.beside(self.workpiece)
 
     @cached_property
     def growing(self) -> Complex:
-        """Pole of the fastest motion that grows without a cut (s,) [rad/s], 0 where none does."""
+        """Pole of the fastest growing motion without a cut (s,) [rad/s], 0 where none grows."""
         return fastest_growth([motions for motions, *_ in self._parts], self.count)
 
     def at(self, row: int) -> Tip:
-        """The tip at one of the speeds."""
-        one = replace(self)
+        """Return the tip at one of the speeds."""
+        tip = replace(self)
         chosen = np.array([row])
         parts = [(motions.at(chosen), *rest) for motions, *rest in self._parts]
-        one.__dict__["_parts"] = parts
-        return one
+        tip.__dict__["_parts"] = parts
+        return tip
 
     def changed(self, rows: Indices, change: Change) -> Tip:
-        """The tip at some of the speeds, its machine changed as a whole."""
+        """Return the tip at some of the speeds, with stiffness and damping ratios scaled."""
+        # damping matrices scale with √(k m) for the same damping ratios
         stiffness, damping = change.stiffness, change.damping * np.sqrt(change.stiffness)
         highest = self.highest * math.sqrt(float(change.stiffness.max()))
-        one = replace(self, highest=highest)
-        one.__dict__["_parts"] = [
+        tip = replace(self, highest=highest)
+        tip.__dict__["_parts"] = [
             (free_motions(motions.linear.at(rows).scaled(stiffness, damping)), *rest)
             for motions, *rest in self._parts
         ]
-        return one
+        return tip
 
     @cached_property
     def poles(self) -> Complex:
-        """Poles (s, k) of oscillating modes below the highest frequency, NaN in place of others.
+        """Poles (s, k) of oscillating modes below the highest frequency, NaN for other modes.
 
         Raises
         ------
-        InvalidInput : one without damping that the tip feels
+        InvalidInput : a mode without damping that moves the tip
         """
         workpiece = np.broadcast_to(self.workpiece.pole, (self.count, len(self.workpiece.pole)))
         pole = np.concatenate([*(motions.pole for motions, *_ in self._parts), workpiece], axis=1)
@@ -153,10 +154,10 @@ class Tip:
 
     def _refuse_undamped(self, pole: Complex) -> None:
         with np.errstate(invalid="ignore"):
-            bare = np.abs(pole.real) <= UNDAMPED * np.abs(pole)
-        if not bare.any():
+            undamped = np.abs(pole.real) <= UNDAMPED * np.abs(pole)
+        if not undamped.any():
             return
-        row, column = np.argwhere(bare)[0]
+        row, column = np.argwhere(undamped)[0]
         rpm = self._speed[row] * RPM.factor
         hertz = pole[row, column].imag / (2.0 * math.pi)
         raise InvalidInput(
@@ -166,20 +167,20 @@ class Tip:
 
     @cached_property
     def _peaks(self) -> Array:
-        """Largest receptance at the frequency of each mode (s, k) [m/N], 0 in place of others."""
+        """Largest receptance at the frequency of each mode (s, k) [m/N], 0 for other modes."""
         at = np.nan_to_num(self.poles.imag, nan=1.0)
         size = np.abs(self.receptance(at)).max(axis=(2, 3))
         return np.where(np.isnan(self.poles.imag), 0.0, size)
 
     @cached_property
     def high_poles(self) -> Complex:
-        """Those of the ``poles`` with high peaks (s, k), NaN in place of others."""
+        """Poles of the modes with high peaks (s, k), NaN for other modes."""
         high = self._peaks > HIGH * self._peaks.max(axis=1, keepdims=True)
         return np.where(high, self.poles, complex(np.nan, np.nan))
 
     @property
     def least_damped(self) -> Array:
-        """Their least damping ratio at every speed (s,)."""
+        """Least damping ratio of the modes with high peaks at every speed (s,)."""
         ratio = -self.high_poles.real / np.abs(self.high_poles)
         return np.asarray(np.nan_to_num(ratio, nan=np.inf).min(axis=1))
 
@@ -196,7 +197,7 @@ class Tip:
         return BEYOND * highest
 
     def about_poles(self, row: int) -> Array:
-        """Frequencies that resolve the peaks of a speed, ascending [rad/s]."""
+        """Return frequencies that resolve the peaks at a speed, ascending [rad/s]."""
         pole = self.poles[row]
         near = frequencies_near(pole[np.isfinite(pole)])
         return near[near <= self.tops[row]]

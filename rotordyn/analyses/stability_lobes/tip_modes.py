@@ -1,4 +1,4 @@
-"""Modes of the tip of the tool at many speeds, and receptances summed of them."""
+"""Modes of the tip of the tool at many speeds, and their sums as receptances."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from rotordyn.analyses.stability_lobes.modal import ModalTip
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 FAR = 3.0  # times the highest frequency: modes beyond are a power series in frequency
-AT_ONCE = 30_000  # frequencies of modes: larger arrays leave the cache
+AT_ONCE = 30_000  # products of frequencies and modes: larger arrays leave the cache
 TERMS = 12  # of that series, whose remainder is 3^−12 of a mode
 
 
 @dataclass(frozen=True, eq=False)
 class TipModes:
-    """``pole`` (s, k) [rad/s], NaN where a speed has fewer; ``shape`` and ``participation``
-    (s, k, 2) in feed and normal, and ``constant`` (s, 2, 2) [m/N], None is 0, of which
-    ``ModalTip`` says how they sum."""
+    """Modes at every speed: ``pole`` (s, k) [rad/s], NaN where a speed has fewer; ``shape`` and
+    ``participation`` (s, k, 2) in feed and normal; ``constant`` (s, 2, 2) [m/N], None for 0; their
+    sum is that of ``ModalTip``."""
 
     pole: Complex
     shape: Complex
@@ -28,11 +28,11 @@ class TipModes:
     constant: Array | None = None
 
     def beside(self, workpiece: ModalTip) -> TipModes:
-        """With the modes of a ``workpiece``, alike at all speeds, and without residual."""
+        """Return these modes and those of a ``workpiece``, the same at all speeds; no residual."""
 
-        def joined(own: Complex, more: Complex) -> Complex:
-            alike = np.broadcast_to(more, (len(own), *more.shape))
-            return np.concatenate([own, alike], axis=1)
+        def joined(values: Complex, more: Complex) -> Complex:
+            repeated = np.broadcast_to(more, (len(values), *more.shape))
+            return np.concatenate([values, repeated], axis=1)
 
         return TipModes(
             joined(self.pole, workpiece.pole),
@@ -42,60 +42,60 @@ class TipModes:
         )
 
     def at(self, row: int) -> ModalTip:
-        """Modes at one speed, given by its ``row``."""
+        """Return the modes at one speed, given by its ``row``."""
         kept = np.isfinite(self.pole[row])
         parts = self.pole[row, kept], self.shape[row, kept], self.participation[row, kept]
         return ModalTip(*parts) if self.constant is None else ModalTip(*parts, self.constant[row])
 
     def of(self, rows: NDArray[np.intp], top: float, directions: int = 2) -> TipSums:
-        """Sums of modes at some of the speeds, for frequencies up to ``top`` [rad/s]; motion in
-        feed and normal, or in the feed alone, by forces in both."""
+        """Return sums of modes at some of the speeds, for frequencies up to ``top`` [rad/s]; motion
+        in feed and normal, or in the feed alone, by forces in both."""
         pole = self.pole[rows]
-        known = np.isfinite(pole)
+        exists = np.isfinite(pole)
         residue = self.shape[rows, :, :directions, None] * self.participation[rows][..., None, :]
-        residue = np.where(known[..., None, None], residue, 0.0).reshape(*pole.shape, -1)
-        pole = np.where(known, pole, -1.0)
-        near = known & (np.abs(pole) < FAR * top)
+        residue = np.where(exists[..., None, None], residue, 0.0).reshape(*pole.shape, -1)
+        pole = np.where(exists, pole, -1.0)
+        near = exists & (np.abs(pole) < FAR * top)
         order = np.argsort(~near, axis=1, kind="stable")[:, : int(near.sum(axis=1).max())]
         tail = np.empty((TERMS, len(rows), residue.shape[-1]))
-        far = np.where((near | ~known)[..., None], 0.0, residue)
+        far = np.where((near | ~exists)[..., None], 0.0, residue)
         for power in range(TERMS):  # of 1/(s − p) = −Σ sⁿ/pⁿ⁺¹
             far = far / pole[..., None]
             sign = (1.0, 1.0, -1.0, -1.0)[power % 4]  # of iⁿ
             tail[power] = -2.0 * sign * far.sum(axis=1).real
         if self.constant is not None:
             tail[0] += self.constant[rows, :directions].reshape(len(rows), -1)
-        own = np.where(near[..., None], residue, 0.0)
+        near_residue = np.where(near[..., None], residue, 0.0)
         return TipSums(
             np.take_along_axis(pole, order, axis=1),
-            np.take_along_axis(own, order[..., None], axis=1),
+            np.take_along_axis(near_residue, order[..., None], axis=1),
             tail,
         )
 
 
 @dataclass(frozen=True, eq=False)
 class TipSums:
-    """``pole`` (s, k) near the band with ``residue`` (s, k, 2d); of the others coefficients of
-    powers of ω (n, s, 2d), real of even ones and imaginary of odd ones."""
+    """Receptances as sums: ``pole`` (s, k) near the band with ``residue`` (s, k, 2d); ``tail``:
+    coefficients (n, s, 2d) of powers of ω of other modes, real for even, imaginary for odd ones."""
 
     pole: Complex
     residue: Complex
     tail: Array
 
     def receptance(self, omega: Array) -> Complex:
-        """At frequencies (s, f) of every speed's own: (s, f, d, 2) [m/N]."""
-        wide = max(1, AT_ONCE // (self.pole.shape[1] + 1))
-        some = max(1, wide // omega.shape[1])
-        found = np.empty((*omega.shape, self.residue.shape[-1]), dtype=complex)
-        for first in range(0, len(omega), some):
-            rows = slice(first, first + some)
-            for begin in range(0, omega.shape[1], wide):
-                part = rows, slice(begin, begin + wide)
-                found[part] = self._some(rows, omega[part])
-        return found.reshape(*omega.shape, -1, 2)
+        """Return receptance (s, f, d, 2) [m/N] at the frequencies (s, f) of each speed."""
+        width = max(1, AT_ONCE // (self.pole.shape[1] + 1))
+        speeds = max(1, width // omega.shape[1])
+        values = np.empty((*omega.shape, self.residue.shape[-1]), dtype=complex)
+        for first in range(0, len(omega), speeds):
+            rows = slice(first, first + speeds)
+            for begin in range(0, omega.shape[1], width):
+                part = rows, slice(begin, begin + width)
+                values[part] = self._at_rows(rows, omega[part])
+        return values.reshape(*omega.shape, -1, 2)
 
-    def _some(self, rows: slice, omega: Array) -> Complex:
-        """At some of the speeds (s, f, 2d).
+    def _at_rows(self, rows: slice, omega: Array) -> Complex:
+        """Return the receptance at some of the speeds (s, f, 2d).
 
         A pair is (iω 2 Re R − 2 Re(R p̄)) / ((iω)² − 2 iω Re p + |p|²).
         """
@@ -103,12 +103,12 @@ class TipSums:
         size, decay = np.abs(pole) ** 2, pole.real
         real, imag = size - at**2, 2.0 * at * decay
         inverse = 1.0 / (real**2 + imag**2)
-        rate, still = 2.0 * residue.real, -2.0 * (residue * self.pole[rows].conj()[..., None])
-        both = np.concatenate([rate, still.real], axis=-1)
-        found = ((inverse * real) @ both) + 1j * ((inverse * imag) @ both)
-        found = found[..., : rate.shape[-1]] * (1j * at) + found[..., rate.shape[-1] :]
+        slope, constant = 2.0 * residue.real, -2.0 * (residue * self.pole[rows].conj()[..., None])
+        coefficients = np.concatenate([slope, constant.real], axis=-1)
+        values = ((inverse * real) @ coefficients) + 1j * ((inverse * imag) @ coefficients)
+        values = values[..., : slope.shape[-1]] * (1j * at) + values[..., slope.shape[-1] :]
         square = np.cumprod(np.where(np.arange(TERMS // 2) > 0, at**2, 1.0), axis=-1)
         even, odd = (np.moveaxis(self.tail[k::2, rows], 0, 1) for k in (0, 1))
-        found.real += square @ even
-        found.imag += (at * square) @ odd
-        return np.asarray(found)
+        values.real += square @ even
+        values.imag += (at * square) @ odd
+        return np.asarray(values)

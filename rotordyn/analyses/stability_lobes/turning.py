@@ -1,4 +1,4 @@
-"""Stable width of cut in turning, and of any cut in which one tooth stays in the work."""
+"""Stable width of cut in turning, and in any process with one tooth always in cut."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Complex = NDArray[np.complex128]
 
 @typed(InvalidInput, besides=("receptance",))
 def turning_limit(receptance: Callable[[Array], Complex], force: float, speed: float) -> Limit:
-    """Width of cut up to which turning is stable: exact, since its coefficients are constant.
+    """Return the width of cut up to which turning is stable: exact, its coefficients are constant.
 
     receptance : angular frequencies (f,) > 0 [rad/s] -> (f,) [m/N], motion across the cut surface
         by the cutting force, both directions projected
@@ -39,10 +39,10 @@ def turning_limit(receptance: Callable[[Array], Complex], force: float, speed: f
         if not value > 0.0:
             raise InvalidInput(f"{name}: given {value:.6g}; allowed: above 0")
 
-    known = shaped(receptance, ())
+    checked = shaped(receptance, ())
 
     def matrices(omega: Array) -> Complex:
-        return known(omega.ravel()).reshape(*omega.shape, 1, 1)
+        return checked(omega.ravel()).reshape(*omega.shape, 1, 1)
 
     omega, top = resolving(matrices, at_force=False)
     period = np.array([2.0 * math.pi / speed])

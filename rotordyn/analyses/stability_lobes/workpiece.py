@@ -1,4 +1,4 @@
-"""A material that is cut, with its cutting coefficients."""
+"""Material of a workpiece, with its cutting coefficients."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ RadialCoefficient = Annotated[float, Quantity("pressure", at_least="0 Pa", at_mo
 
 @dataclass(frozen=True, slots=True)
 class Coefficients(Description):
-    """What one source gives."""
+    """Cutting coefficients given by one source."""
 
     tangential: Annotated[CuttingCoefficient, "tangential cutting coefficient Ktc"]
     radial: Annotated[RadialCoefficient, "radial cutting coefficient Krc"]
@@ -30,8 +30,8 @@ class Workpiece(Description):
 
     @property
     def pairs(self) -> tuple[tuple[float, float], ...]:
-        """Tangential and radial [Pa] of every source; first that of the middle tangential one, the
-        higher one of two."""
-        every = sorted((one.tangential, one.radial) for one in self.coefficients)
-        middle = every.pop(len(every) // 2)
-        return (middle, *every)
+        """Tangential and radial coefficient [Pa] of every source; first the pair of the median
+        tangential one, of two the higher."""
+        others = sorted((source.tangential, source.radial) for source in self.coefficients)
+        median = others.pop(len(others) // 2)
+        return (median, *others)

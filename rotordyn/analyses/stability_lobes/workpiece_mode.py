@@ -15,7 +15,7 @@ WallStiffness = Annotated[float, Quantity("stiffness", above="1 N/m", at_most="1
 
 @dataclass(frozen=True, slots=True)
 class WorkpieceMode(Description):
-    """A mode of the workpiece, as a hammer test at the cut shows it."""
+    """A mode of the workpiece, as measured by a hammer test at the cut."""
 
     frequency: Annotated[Frequency, "natural frequency"]
     damping: Annotated[WallDamping, "damping ratio"]

@@ -1,4 +1,4 @@
-"""Motion over time under forces, bearings by their nonlinear law."""
+"""Response over time to forces, with the nonlinear law of the bearings."""
 
 from __future__ import annotations
 

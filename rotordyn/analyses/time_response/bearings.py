@@ -1,4 +1,4 @@
-"""Nonlinear forces of the bearings: their load less that of their tangents."""
+"""Nonlinear forces of the bearings: their loads minus those of their tangents."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from bearings.ring.state import BearingState
 from rotordyn.arrays import Array, Flags
 from rotordyn.scene.scene import Scene
 
-PLACES = 2  # in time at which bearings are solved together: middle and end of a step
+PLACES = 2  # instants at which bearings are solved together: middle and end of a step
 
 
 class BearingForces(NamedTuple):
     """Nonlinear forces (s, 2, seats, 5), their slopes (s, 2, seats, 5, 5), speeds at which every
-    bearing has a state (s,), and the bearings where they stand now."""
+    bearing has a state (s,), and the bearings at the present displacements."""
 
     force: Array
     slope: Array
@@ -32,8 +32,8 @@ class Bearings:
     """All bearings about their preload states at usable speeds (s,), in their own frames.
 
     ``displacement``, ``load`` (s, seats, 5) and ``tangent`` (s, seats, 5, 5) of these states;
-    ``radius`` (seats,) of the pitch circles [m]; ``states``: by model the seats and their states
-    (s, places); ``near``: where the balls of these stand (s, places, 2), sought from there.
+    ``radius`` (seats,) of the pitch circles [m]; ``states``: seats and their states (s, places) of
+    each model; ``near``: last states of their balls (s, places, 2), from which iterations start.
     """
 
     displacement: Array
@@ -45,7 +45,7 @@ class Bearings:
 
     @classmethod
     def of(cls, scene: Scene) -> Bearings:
-        """About the preload state of a scene."""
+        """Return the bearings about the preload state of a scene."""
         placed, rows = scene.preload.seat_states(), scene.bearing_row[scene.usable]
         by_model: dict[int, tuple[BearingState, list[int]]] = {}
         for seat, (state, _) in enumerate(placed):
@@ -55,8 +55,8 @@ class Bearings:
         for state, seats in by_model.values():
             columns = np.array([placed[seat][1] for seat in seats])
             chosen = state.rows(np.ix_(rows, columns))
-            twice = np.repeat(chosen.displacement[:, :, None], PLACES, axis=2)
-            balls = settled(chosen.operation.at(twice), full_assembly)
+            repeated = np.repeat(chosen.displacement[:, :, None], PLACES, axis=2)
+            balls = settled(chosen.operation.at(repeated), full_assembly)
             states.append((seats, chosen))
             near.append(balls)
             displacement[:, seats], load[:, seats] = chosen.displacement, balls.load[:, :, 0]
@@ -65,45 +65,45 @@ class Bearings:
 
     @property
     def lever(self) -> Array:
-        """What makes displacements of rings lengths (5·seats,): 1, 1, 1 and the radius twice."""
+        """Factors from displacements of rings to lengths (5·seats,): 1, 1, 1, radius and radius."""
         one = np.ones_like(self.radius)
         return np.stack([one, one, one, self.radius, self.radius], axis=1).ravel()
 
     def at(self, moved: Array) -> BearingForces:
-        """With rings displaced by ``moved`` (s, 2, seats, 5) from their states."""
+        """Return forces with rings displaced by ``moved`` (s, 2, seats, 5) from their states."""
         moved, near = moved.swapaxes(1, 2), []
         force, slope = np.zeros(moved.shape), np.zeros((*moved.shape, 5))
         exists = np.ones(len(moved), dtype=bool)
-        for (seats, _), before in zip(self.states, self.near, strict=True):
-            here = before.moved(self.displacement[:, seats, None] + moved[:, seats])
-            near.append(here)
-            force[:, seats] = here.load - self.load[:, seats, None]
-            slope[:, seats] = here.stiffness - self.tangent[:, seats, None]
-            exists &= np.isfinite(here.error).all(axis=(1, 2))
+        for (seats, _), last in zip(self.states, self.near, strict=True):
+            balls = last.moved(self.displacement[:, seats, None] + moved[:, seats])
+            near.append(balls)
+            force[:, seats] = balls.load - self.load[:, seats, None]
+            slope[:, seats] = balls.stiffness - self.tangent[:, seats, None]
+            exists &= np.isfinite(balls.error).all(axis=(1, 2))
         force -= np.einsum("skij,sknj->skni", self.tangent, moved)
         return BearingForces(
             force.swapaxes(1, 2), slope.swapaxes(1, 2), exists, replace(self, near=near)
         )
 
     def loads(self, moved: Array, force: Array) -> Array:
-        """Whole loads (s, t, seats, 5) of rings displaced by ``moved`` with the nonlinear ``force``
-        there, both (s, t, 5·seats)."""
+        """Return total loads (s, t, seats, 5) of rings displaced by ``moved``, with the nonlinear
+        ``force`` there, both (s, t, 5·seats)."""
         shape = (*moved.shape[:2], len(self.radius), 5)
         linear = np.einsum("skij,stkj->stki", self.tangent, moved.reshape(shape))
         return np.asarray(self.load[:, None] + linear + force.reshape(shape))
 
     def balls_at(self, moved: Array) -> tuple[Array, Array, Flags]:
-        """With rings displaced by ``moved`` (s, seats, k, 5): largest contact pressure [Pa],
-        infinite where contacts are crushed beyond any state, count of the balls that the inner
+        """Return, with rings displaced by ``moved`` (s, seats, k, 5): largest contact pressure
+        [Pa], infinite where contacts are crushed beyond any state, number of balls that the inner
         race does not load, and whether it loads none (s, seats, k)."""
         pressure, idle = np.zeros((2, *moved.shape[:3]))
         unloaded = np.zeros(moved.shape[:3], dtype=bool)
         for seats, state in self.states:
-            there = self.displacement[:, seats, None] + moved[:, seats]
-            found = solved(state.operation.at(there))
-            largest = np.maximum(found.inner_pressure, found.outer_pressure)
-            crushed = found.outcome == "overloaded"
+            displacement = self.displacement[:, seats, None] + moved[:, seats]
+            state_at = solved(state.operation.at(displacement))
+            largest = np.maximum(state_at.inner_pressure, state_at.outer_pressure)
+            crushed = state_at.outcome == "overloaded"
             pressure[:, seats] = np.where(crushed, np.inf, largest.max(axis=-1))
-            off = found.inner_load <= 0.0
-            idle[:, seats], unloaded[:, seats] = off.sum(axis=-1), off.all(axis=-1)
+            no_load = state_at.inner_load <= 0.0
+            idle[:, seats], unloaded[:, seats] = no_load.sum(axis=-1), no_load.all(axis=-1)
         return pressure, idle, unloaded

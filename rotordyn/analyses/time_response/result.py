@@ -1,4 +1,4 @@
-"""Motion over time under forces."""
+"""Result of the response over time to forces."""
 
 from __future__ import annotations
 
@@ -16,19 +16,19 @@ POINT, BEARING, SLEEVE = ("speed", "point"), ("speed", "bearing"), ("speed", "sl
 
 @dataclass(frozen=True)
 class TimeResponseResult:
-    """Motion over time, bearings by their nonlinear load–displacement law.
+    """Motion over time, with the nonlinear load–displacement law of the bearings.
 
-    ``displacement`` is counted from the preload state; ``linear_displacement``: what it would be if
-    bearings had the tangents of that state, on which frequencies and receptances rest.
-    ``bearing_load``: of the shaft on the inner ring, preload included and damping not, in the
+    ``displacement`` is relative to the preload state; ``linear_displacement``: the same if bearings
+    had the tangents of that state, on which frequencies and receptances are based.
+    ``bearing_load``: of the shaft on the inner ring, with preload and without damping, in the
     directions of the spindle. ``largest``: greatest magnitude of the displacement,
-    ``late_largest`` of the last quarter of the time, after what the beginning stirs up.
-    ``unloaded_time``: how long altogether no ball of a bearing is loaded by the inner race.
-    ``gap``: of end stops, below zero where one is pressed together, or, if stops stay as they are
-    in the preload state, where an open one would close; ``stop_gap``: the least of it;
-    ``stop_force``: the largest force of one that closes. ``holding``: largest force over what holds
-    a sleeve that stays at its stop or is held by dry friction; above 1 it would move. ``ended``:
-    time up to which there is an answer, and ``ending`` why it ends.
+    ``late_largest`` of the last quarter of the time, after initial transients.
+    ``unloaded_time``: total time in which the inner race loads no ball of a bearing.
+    ``gap``: of end stops, below zero where one is compressed, or, if stops stay as they are in the
+    preload state, where an open one would close; ``stop_gap``: its least value; ``stop_force``:
+    the largest force of a stop that closes. ``holding``: largest force over the limit of the stop
+    or the dry friction that holds a sleeve; above 1 it would move. ``ended``: time up to which the
+    motion is solved, and ``ending`` why it ends.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")

@@ -1,8 +1,8 @@
-"""Motion over time under forces, at constant speed.
+"""Solver of the response over time to forces, at constant speed.
 
 The machine is solved twice, with the tangents of its bearings and with their law. One half of the
-error asked for is for the model, the other for the steps of time, which are halved until the motion
-changes by less.
+requested error is allowed to the model, the other to the time steps, which are halved until the
+motion changes by less.
 
 Theory: docs/theory/time_response.md.
 """
@@ -37,7 +37,7 @@ from rotordyn.scene.refinement import (
 from rotordyn.scene.scene import Scene
 
 HALVINGS = 4  # of the steps, at most
-HALF = 0.5  # of the error asked for, that model and steps may have each
+HALF = 0.5  # of the requested error, allowed to model and steps each
 ENDINGS = {
     True: "no balance of the bearings is found",
     False: f"it moves farther than {FAR * 1e3:g} mm",
@@ -49,9 +49,9 @@ WIDE = (
 
 
 class Motion(NamedTuple):
-    """A path at the instants of the result, and its estimated error over the largest displacement
-    of each point (points,); displacements of the ``sleeves`` (s, t, sleeves) at all instants
-    computed, and in the run before, ``coarser``."""
+    """Path at the instants of the result, and its estimated error over the largest displacement of
+    each point (points,); displacements of the ``sleeves`` (s, t, sleeves) at all computed instants,
+    and in the previous run, ``coarser``."""
 
     path: Path
     error: Array
@@ -60,15 +60,15 @@ class Motion(NamedTuple):
 
 
 def answer(scene: Scene, spec: TimeResponseSpec) -> TimeResponseResult:
-    """At every speed with a state.
+    """Return the response at every speed with a state.
 
     Raises
     ------
-    NoSolution : no speed has one
-    TooCostly : it would take longer, or more memory, than a run may
+    NoSolution : no speed has a state
+    TooCostly : it would take more time or memory than a run may
     """
     for k in scene.with_motions(("bending", "axial")):
-        scene.system(k)  # whose free motions ``Scene.warnings`` looks at for instability
+        scene.system(k)  # solves free motions, which ``Scene.warnings`` checks for instability
     seats = len(scene.spindle.seats)
     _require(Equation.of(scene, spec), spec.samples, seats)
     scene, linear = solve_accurately(
@@ -79,44 +79,44 @@ def answer(scene: Scene, spec: TimeResponseSpec) -> TimeResponseResult:
         return _result(scene, spec, equation, linear, linear.path, None)
     nonlinear = Nonlinear.of(scene, equation)
     motion = _nonlinear(scene, spec, equation, nonlinear)
-    both = motion._replace(error=motion.error + linear.error)
-    return _result(scene, spec, equation, both, linear.path, nonlinear.bearings)
+    combined = motion._replace(error=motion.error + linear.error)
+    return _result(scene, spec, equation, combined, linear.path, nonlinear.bearings)
 
 
 def _require(equation: Equation, steps: int, seats: int) -> None:
-    """Time and memory of so many steps, with the law of the bearings where there are ``seats``."""
+    """Check time and memory of ``steps``, with the law of the bearings if there are ``seats``."""
     states, size = equation.stiffness.shape[:2]
     inputs = equation.inputs.shape[1] + 5 * seats
-    seen = len(equation.points) + len(equation.sleeves) + 10 * seats
-    require_marching("time_response", states, seats, steps, 2 * size + 3 * inputs, seen)
+    outputs = len(equation.points) + len(equation.sleeves) + 10 * seats
+    require_marching("time_response", states, seats, steps, 2 * size + 3 * inputs, outputs)
 
 
 def _linear(spec: TimeResponseSpec, scene: Scene) -> Motion:
-    """Of the linear machine, in half the usual steps; its error is the change by a finer model in
-    half of those."""
+    """Return motion of the linear machine, in half the usual steps; its error is the change by a
+    finer model in half of those."""
     equation, count = Equation.of(scene, spec), spec.samples - 1
     path = _path(scene, spec, equation, count).every(2)
     if not scene.checks.wanted:
         return _motion(path, np.full(len(spec.points), np.nan))
 
-    def moved(one: Scene, rows: Indices) -> Array:
-        finer = 2 if one is not scene else 1
-        found = _path(one, spec, Equation.of(one, spec, rows), finer * count)
-        return np.nan_to_num(_displacement(found.every(2 * finer)))
+    def moved(model: Scene, rows: Indices) -> Array:
+        finer = 2 if model is not scene else 1
+        finer_path = _path(model, spec, Equation.of(model, spec, rows), finer * count)
+        return np.nan_to_num(_displacement(finer_path.every(2 * finer)))
 
     return _motion(path, changes(scene, moved, 2, AT_REST))
 
 
 def _motion(path: Path, error: Array) -> Motion:
-    """Of one run alone."""
+    """Return the motion of a single run, without a coarser one."""
     return Motion(path, error, path.sleeves, path.sleeves)
 
 
 def _nonlinear(
     scene: Scene, spec: TimeResponseSpec, equation: Equation, nonlinear: Nonlinear
 ) -> Motion:
-    """With the law of the bearings, and stops; its error is the change by the last halving of the
-    steps."""
+    """Return motion with the law of the bearings, and stops; its error is the change by the last
+    halving of the steps."""
     count = spec.samples // 4
     if not scene.checks.wanted:
         path = _path(scene, spec, equation, 2 * count, nonlinear)
@@ -125,13 +125,13 @@ def _nonlinear(
     for halving in range(HALVINGS):
         if halving:
             _require(equation, 2 ** (halving + 1) * count, len(scene.spindle.seats))
-        before, path = path, _path(scene, spec, equation, 2 ** (halving + 1) * count, nonlinear)
-        here, there = _displacement(path.every(2)), _displacement(before)
-        error = relative_change(np.nan_to_num(there), np.nan_to_num(here), 2, AT_REST)
-        ended = len(path.points[0])
-        if error.max() <= wanted and (path.ended == ended).all():
+        coarser, path = path, _path(scene, spec, equation, 2 ** (halving + 1) * count, nonlinear)
+        fine, coarse = _displacement(path.every(2)), _displacement(coarser)
+        error = relative_change(np.nan_to_num(coarse), np.nan_to_num(fine), 2, AT_REST)
+        instants = len(path.points[0])
+        if error.max() <= wanted and (path.ended == instants).all():
             break
-    return Motion(path.every(2**halving), error, path.sleeves, before.sleeves)
+    return Motion(path.every(2**halving), error, path.sleeves, coarser.sleeves)
 
 
 def _path(
@@ -141,36 +141,36 @@ def _path(
     count: int,
     nonlinear: Nonlinear | None = None,
 ) -> Path:
-    """In so many steps."""
+    """Integrate the motion in ``count`` steps, from the steady orbit of the unbalances."""
     inputs = partial(mean_inputs, spec, equation.speed)
-    begun = _on_orbit(spec, equation)
+    initial = _steady_start(spec, equation)
     step = spec.duration / count
-    return march(equation, inputs, step, count, begun, nonlinear, scene.progress)
+    return march(equation, inputs, step, count, initial, nonlinear, scene.progress)
 
 
-def _on_orbit(spec: TimeResponseSpec, equation: Equation) -> tuple[Array, Array]:
-    """q and q̇ (s, n) at time 0 of the steady orbit of the linear machine; infinite where a speed
-    has none, at a critical speed without damping."""
+def _steady_start(spec: TimeResponseSpec, equation: Equation) -> tuple[Array, Array]:
+    """Return q and q̇ (s, n) at time 0 of the steady orbit of the linear machine; infinite at a
+    critical speed without damping, which has none."""
     s, n, _ = equation.stiffness.shape
-    begun, place = np.zeros((2, s, n)), {port: k for k, port in enumerate(spec.ports)}
-    for each, omega in zip(spec.unbalances, equation.speed.T, strict=True):
-        along_y, along_z = (equation.inputs[:, place[each.at, way]] for way in ("y", "z"))
-        size = each.unbalance * omega**2 * np.exp(1j * each.angle)
-        load = size[:, None] * (along_y - 1j * along_z)  # along z a quarter turn later
-        swing = 1j * omega[:, None, None]
-        dynamic = equation.stiffness + swing * equation.damping + swing**2 * np.eye(n)
+    initial, place = np.zeros((2, s, n)), {port: k for k, port in enumerate(spec.ports)}
+    for unbalance, omega in zip(spec.unbalances, equation.speed.T, strict=True):
+        along_y, along_z = (equation.inputs[:, place[unbalance.at, axis]] for axis in ("y", "z"))
+        size = unbalance.unbalance * omega**2 * np.exp(1j * unbalance.angle)
+        load = size[:, None] * (along_y - 1j * along_z)  # along z a quarter of a turn later
+        iomega = 1j * omega[:, None, None]
+        dynamic = equation.stiffness + iomega * equation.damping + iomega**2 * np.eye(n)
         for row in np.flatnonzero(omega):
             try:
                 moved = np.linalg.solve(dynamic[row], load[row])
             except np.linalg.LinAlgError:
-                begun[:, row] = np.inf
+                initial[:, row] = np.inf
                 continue
-            begun[:, row] += moved.real, (1j * omega[row] * moved).real
-    return begun[0], begun[1]
+            initial[:, row] += moved.real, (1j * omega[row] * moved).real
+    return initial[0], initial[1]
 
 
 def _displacement(path: Path) -> Array:
-    """Of the points (s, t, points, 3)."""
+    """Return the displacement of the points (s, t, points, 3)."""
     return path.points.reshape(*path.points.shape[:2], -1, len(DIRECTIONS))
 
 
@@ -183,28 +183,28 @@ def _result(
     bearings: Bearings | None,
 ) -> TimeResponseResult:
     path, time = motion.path, np.linspace(0.0, spec.duration, spec.samples)
-    moved, straight = _displacement(path), _displacement(linear)
-    (when, size), late = longest(moved, time), 3 * (spec.samples // 4)
+    displacement, linear_displacement = _displacement(path), _displacement(linear)
+    (when, size), late = longest(displacement, time), 3 * (spec.samples // 4)
     outcome, ending = [*scene.outcome], ["" for _ in scene.speed]
-    for row, one in enumerate(scene.usable):
+    for row, k in enumerate(scene.usable):
         if not path.ended[row]:
-            outcome[one] = f"at {number(scene.speed[one] * RPM.factor, 0)} rpm {WIDE}"
+            outcome[k] = f"at {number(scene.speed[k] * RPM.factor, 0)} rpm {WIDE}"
         elif path.ended[row] < spec.samples:
-            ending[one] = ENDINGS[bool(path.unbalanced[row])]
-    late_size = longest(moved[:, late:], time[late:])[1]
+            ending[k] = ENDINGS[bool(path.unbalanced[row])]
+    late_size = longest(displacement[:, late:], time[late:])[1]
     late_size[path.ended < spec.samples] = np.nan
     loads = loads_and_peaks(scene, path, time, bearings)
     margins = sleeve_margins(scene, equation, path.sleeves, motion.sleeves, motion.coarser)
     ended = time[np.minimum(path.ended, spec.samples) - 1]
     begun = path.ended > 0
 
-    def given(values: Array) -> Array:
-        """Over all speeds, NaN at those without an answer."""
+    def scattered(values: Array) -> Array:
+        """Scatter values over all speeds, NaN at those without a motion."""
         return scene.scattered(
             np.where(begun.reshape(-1, *[1] * (values.ndim - 1)), values, np.nan)
         )
 
-    applied = [values(each, time) for each in spec.forces]
+    applied = [values(force, time) for force in spec.forces]
     return TimeResponseResult(
         speed=scene.speed,
         time=time,
@@ -214,17 +214,17 @@ def _result(
         sleeve=tuple(sleeve.name for sleeve in scene.spindle.sleeves),
         force=spec.names,
         outcome=tuple(outcome),
-        ended=given(ended),
+        ended=scattered(ended),
         ending=tuple(ending),
         applied=np.array(applied).reshape(len(spec.forces), spec.samples).T,
-        displacement=given(moved),
-        linear_displacement=given(straight),
-        largest=given(size),
-        late_largest=given(late_size),
-        largest_time=given(when),
-        linear_largest=given(longest(straight, time)[1]),
-        **{name: given(each) for name, each in loads.items()},
-        **{name: given(each) for name, each in margins.items()},
+        displacement=scattered(displacement),
+        linear_displacement=scattered(linear_displacement),
+        largest=scattered(size),
+        late_largest=scattered(late_size),
+        largest_time=scattered(when),
+        linear_largest=scattered(longest(linear_displacement, time)[1]),
+        **{name: scattered(field) for name, field in loads.items()},
+        **{name: scattered(field) for name, field in margins.items()},
         unbalances=len(spec.unbalances),
         friction_limit=np.array([sleeve.friction for sleeve in scene.spindle.sleeves]),
         error=motion.error,

@@ -1,4 +1,4 @@
-"""What a case asks of the response over time (SI)."""
+"""Description of an analysis of the response over time (SI)."""
 
 from __future__ import annotations
 
@@ -66,10 +66,10 @@ class ForceOverTime(Description):
             )
         if self.end <= self.start:
             yield ("end",), "not after the start: given {given}; allowed: a later time"
-        yield from self._of_shape()
-        yield from self._of_table()
+        yield from self._shape_faults()
+        yield from self._table_faults()
 
-    def _of_shape(self) -> Faults:
+    def _shape_faults(self) -> Faults:
         if self.frequency is not None and self.pulse is not None:
             yield ("pulse",), "given beside a frequency: a force has one shape, leave one out"
         if self.frequency is None and self.phase:
@@ -81,7 +81,7 @@ class ForceOverTime(Description):
         elif self.period < self.pulse:
             yield ("period",), "shorter than the pulse: given {given}; allowed: at least the pulse"
 
-    def _of_table(self) -> Faults:
+    def _table_faults(self) -> Faults:
         given = {key: getattr(self, key) is not None for key in ("frequency", "pulse", "period")}
         given |= {"start": self.start > 0.0, "end": self.end < math.inf}
         for key in (key for key, there in given.items() if there and self.times):
@@ -119,26 +119,26 @@ class TimeResponseSpec(Spec):
 
     @property
     def samples(self) -> int:
-        """Instants in results, both ends counted: a multiple of four and one, so that steps of two
-        intervals can be halved from twice that length."""
+        """Number of instants in results, both ends included: a multiple of four plus one, so that
+        steps of two intervals can be halved from twice that length."""
         return 4 * max(1, math.ceil(self.duration * self.max_frequency * SAMPLES / 4.0 - 1e-6)) + 1
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Of the forces in results."""
-        return tuple(each.name or f"force {k}" for k, each in enumerate(self.forces, start=1))
+        """Names of the forces in results."""
+        return tuple(force.name or f"force {k}" for k, force in enumerate(self.forces, start=1))
 
     @property
     def ports(self) -> tuple[tuple[str | float, str], ...]:
-        """Where and in which direction forces and unbalances act, each pair once."""
-        acting = [(each.at, each.direction) for each in self.forces]
-        acting += [(each.at, way) for each in self.unbalances for way in ("y", "z")]
+        """Place and direction of all forces and unbalances, each pair once."""
+        acting = [(load.at, load.direction) for load in self.forces]
+        acting += [(load.at, direction) for load in self.unbalances for direction in ("y", "z")]
         return tuple(dict.fromkeys(acting))
 
     @property
     def places(self) -> tuple[str | float, ...]:
-        """Points and stations at which something acts or is asked for."""
-        acting = [each.at for each in self.forces] + [each.at for each in self.unbalances]
+        """Points and stations of results, forces and unbalances."""
+        acting = [load.at for load in self.forces] + [load.at for load in self.unbalances]
         return (*self.points, *acting)
 
     def _faults(self) -> Faults:
@@ -154,21 +154,21 @@ class TimeResponseSpec(Spec):
                 f"{self.samples} instants at {SAMPLES} times max_frequency: given {{given}}; "
                 f"allowed: up to {MOST_SAMPLES}",
             )
-        for index, each in enumerate(self.forces):
-            if each.frequency is not None and each.frequency > self.max_frequency:
+        for index, force in enumerate(self.forces):
+            if force.frequency is not None and force.frequency > self.max_frequency:
                 yield (
                     ("forces", index, "frequency"),
                     "above max_frequency: given {given}; allowed: up to "
                     f"{self.max_frequency:g} Hz, or a higher max_frequency",
                 )
-            if each.pulse is not None and each.pulse < 0.5 / self.max_frequency:
+            if force.pulse is not None and force.pulse < 0.5 / self.max_frequency:
                 yield (
                     ("forces", index, "pulse"),
                     "shorter than a half sine of max_frequency: given {given}; allowed: from "
                     f"{0.5 / self.max_frequency:g} s, or a higher max_frequency",
                 )
-            key = "times" if each.times else "start"
-            if (each.times[0] if each.times else each.start) >= self.duration:
+            key = "times" if force.times else "start"
+            if (force.times[0] if force.times else force.start) >= self.duration:
                 yield (
                     ("forces", index, key),
                     f"not within the duration: allowed: a beginning before {self.duration:g} s",
@@ -193,13 +193,13 @@ class TimeResponseSpec(Spec):
                 "response over time: leave spindle.dampers out, or give supports with damping in "
                 "their place",
             )
-        yield from self._of_stops(spindle)
+        yield from self._stop_faults(spindle)
         if not misnamed(spindle):
-            yield from self._places(spindle)
-            yield from self._turning_slowly(setting)
+            yield from self._place_faults(spindle)
+            yield from self._frequency_faults(setting)
 
-    def _of_stops(self, spindle: Spindle) -> Faults:
-        """There is a stop to close, and its sleeve strikes it with a mass."""
+    def _stop_faults(self, spindle: Spindle) -> Faults:
+        """Check that a stop can close, and that its sleeve has a mass to strike it."""
         if self.stop_stiffness is None:
             return
         sleeves = [sleeve for sleeve in spindle.sleeves if _slides_to_stop(sleeve)]
@@ -217,13 +217,13 @@ class TimeResponseSpec(Spec):
                     "its mass, or leave stop_stiffness out",
                 )
 
-    def _turning_slowly(self, setting: Setting) -> Faults:
-        """Unbalances turn no faster than the machine is modelled."""
+    def _frequency_faults(self, setting: Setting) -> Faults:
+        """Check that unbalances rotate no faster than max_frequency."""
         top = setting.top / (2.0 * math.pi)
-        for each in self.unbalances:
-            if isinstance(each.at, str) and each.at not in setting.spindle.places:
+        for unbalance in self.unbalances:
+            if isinstance(unbalance.at, str) and unbalance.at not in setting.spindle.places:
                 continue
-            ratio = abs(setting.spindle.ratios[setting.spindle.place(each.at).rotor])
+            ratio = abs(setting.spindle.ratios[setting.spindle.place(unbalance.at).rotor])
             if ratio * top > self.max_frequency:
                 yield (
                     ("max_frequency",),
@@ -232,19 +232,19 @@ class TimeResponseSpec(Spec):
                 )
                 return
 
-    def _places(self, spindle: Spindle) -> Faults:
-        """Points exist, and what is out of balance turns."""
+    def _place_faults(self, spindle: Spindle) -> Faults:
+        """Check that points exist, and that rotors with unbalance rotate."""
         for index, name in enumerate(self.points):
             for sentence in unknown("point", name, spindle.places):
                 yield ("points", index), sentence
-        for key, acting in (("forces", self.forces), ("unbalances", self.unbalances)):
-            for index, at in enumerate(each.at for each in acting):
+        for key, loads in (("forces", self.forces), ("unbalances", self.unbalances)):
+            for index, at in enumerate(load.at for load in loads):
                 yield from placed(at, spindle, (key, index, "at"), rotors=True)
-        for index, each in enumerate(self.unbalances):
-            yield from turning(each.at, spindle, ("unbalances", index, "at"))
+        for index, load in enumerate(self.unbalances):
+            yield from turning(load.at, spindle, ("unbalances", index, "at"))
 
 
 def _slides_to_stop(sleeve: Sleeve) -> bool:
-    """Whether it slides freely on its spring up to an end stop."""
+    """Return whether a sleeve slides freely on its spring up to an end stop."""
     slides = math.isfinite(sleeve.spring.stiffness) and not sleeve.friction
     return slides and math.isfinite(sleeve.stop_travel)

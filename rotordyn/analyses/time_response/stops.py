@@ -1,6 +1,6 @@
 """End stops of sleeves that close and open: springs that push and never pull.
 
-Sleeves that dry friction holds do not reach theirs.
+Sleeves held by dry friction do not reach their stops.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ from rotordyn.scene.scene import Scene
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Stops:
-    """Stops at some speeds (s,): springs of a ``stiffness`` [N/m] that push sleeves along the axis
-    in a ``direction`` (sleeves,), ±1.
+    """End stops at some speeds (s,): springs of a ``stiffness`` [N/m] that push sleeves along the
+    axis in a ``direction`` (sleeves,), ±1.
 
-    ``gap`` (s, sleeves) [m]: in the preload state, negative where its force presses the stop
-    together; infinite of sleeves that have none or do not slide.
+    ``gap`` (s, sleeves) [m]: in the preload state, negative where its force compresses the stop;
+    infinite for sleeves that have no stop or do not slide.
     """
 
     stiffness: float
@@ -30,8 +30,8 @@ class Stops:
 
     @classmethod
     def of(cls, scene: Scene, stiffness: float | None, rows: Indices | None = None) -> Stops:
-        """Of a scene at all usable speeds, or at some ``rows`` of them; without a stiffness none
-        closes or opens."""
+        """Return the stops of a scene at all usable speeds, or at some ``rows`` of them; without a
+        stiffness none closes or opens."""
         sleeves = scene.spindle.sleeves
         speeds = len(scene.usable) if rows is None else len(rows)
         none = cls(0.0, np.ones(len(sleeves)), np.full((speeds, len(sleeves)), math.inf))
@@ -52,15 +52,15 @@ class Stops:
 
     @property
     def closed(self) -> Flags:
-        """Those that are closed in the preload state (s, sleeves)."""
+        """Stops that are closed in the preload state (s, sleeves)."""
         return np.asarray(self.gap <= 0.0)
 
     def forces(self, moved: Array) -> tuple[Array, Array]:
-        """Of the sleeves whose stops ``act``, displaced along the axis by ``moved`` (s, t, k) [m]:
-        what resists, less the force in the preload state and that of a spring in the place of a
-        closed stop; and its slope."""
-        gap, way, closed = (each[..., self.act] for each in (self.gap, self.direction, self.closed))
+        """Return forces on the sleeves whose stops ``act``, displaced along the axis by ``moved``
+        (s, t, k) [m], minus those in the preload state and of a linear spring in place of a closed
+        stop; and their slopes."""
+        gap, sign, closed = (x[..., self.act] for x in (self.gap, self.direction, self.closed))
         gap, closed = gap[:, None], closed[:, None]
-        now = np.minimum(gap + way * moved, 0.0)
-        force = self.stiffness * (way * (now - np.minimum(gap, 0.0)) - closed * moved)
-        return force, np.asarray(self.stiffness * ((now < 0.0) - 1.0 * closed))
+        compression = np.minimum(gap + sign * moved, 0.0)
+        force = self.stiffness * (sign * (compression - np.minimum(gap, 0.0)) - closed * moved)
+        return force, np.asarray(self.stiffness * ((compression < 0.0) - 1.0 * closed))

@@ -1,4 +1,4 @@
-"""Response over time in a few lines of text: largest displacements, loads and pressures."""
+"""Lines of text of the response over time: largest displacements, loads and pressures."""
 
 from __future__ import annotations
 
@@ -15,33 +15,33 @@ from rotordyn.results.headline import Number, each_speed
 from rotordyn.results.text import unbroken
 
 CLOSES, OPENS = ": with a stop_stiffness they close", ": with a stop_stiffness stops open"
-GIVES = 1.005  # times what holds a sleeve: less is printed as 1
-UNSURE = 0.1  # of the force of a stop
-LESS = 0.95  # of the largest displacement: the last quarter is named
+GIVES = 1.005  # times the force that holds a sleeve: less is printed as 1
+UNSURE = 0.1  # of the force of a stop: largest error without a warning
+LESS = 0.95  # of the largest displacement: below it, that of the last quarter is printed
 
 
 def summary(result: TimeResponseResult) -> Iterator[str]:
-    """At the first and the last speed with an answer."""
+    """Yield lines for the first and the last speed with a motion."""
     rows = np.flatnonzero(np.isfinite(result.ended))
     for row in dict.fromkeys([*rows[:1].tolist(), *rows[-1:].tolist()]):
-        moved = [
+        displacements = [
             unbroken(
                 f"{name} {result.largest[row, k] * MICROMETRE.factor:.4g} µm at "
                 f"{result.largest_time[row, k] * MILLISECOND.factor:.5g} ms"
-                f"{_with_linear(result, row, k)}{_late(result, row, k)}"
+                f"{_with_linear(result, row, k)}{_last_quarter(result, row, k)}"
             )
             for k, name in enumerate(result.point)
         ]
-        pushed = [
+        loads = [
             unbroken(
                 f"{name} {result.peak_load[row, k]:.4g} N, "
                 f"{result.peak_pressure[row, k] * GIGAPASCAL.factor:.3g} GPa"
             )
             for k, name in enumerate(result.bearing)
         ]
-        yield f"over time  {_rpm(result, row)}, largest displacement: {', '.join(moved)}"
-        if pushed:
-            yield f"           largest load and contact pressure: {', '.join(pushed)}"
+        yield f"over time  {_rpm(result, row)}, largest displacement: {', '.join(displacements)}"
+        if loads:
+            yield f"           largest load and contact pressure: {', '.join(loads)}"
         stops = [
             unbroken(f"{name} {force:.4g} N" if force > 0.0 else f"{name} stays open")
             for name, force in zip(result.sleeve, result.stop_force[row], strict=True)
@@ -52,13 +52,13 @@ def summary(result: TimeResponseResult) -> Iterator[str]:
 
 
 def _with_linear(result: TimeResponseResult, row: int, point: int) -> str:
-    """What linear bearings would do; nothing of a machine without bearings."""
+    """Return the text of the largest displacement with linear bearings; "" without bearings."""
     largest = result.linear_largest[row, point] * MICROMETRE.factor
     return f" (linear bearings {largest:.4g} µm)" if result.bearing else ""
 
 
-def _late(result: TimeResponseResult, row: int, point: int) -> str:
-    """What is left of it in the last quarter under forces that go on, where that is less."""
+def _last_quarter(result: TimeResponseResult, row: int, point: int) -> str:
+    """Return the text of the last quarter, if forces act there and its displacement is less."""
     late, largest = result.late_largest[row, point], result.largest[row, point]
     forced = np.abs(result.applied[3 * (len(result.time) // 4) :]).max(initial=0.0) > 0.0
     if not ((forced or result.unbalances) and late < LESS * largest):
@@ -67,7 +67,7 @@ def _late(result: TimeResponseResult, row: int, point: int) -> str:
 
 
 def numbers(result: TimeResponseResult, _: Described) -> Iterator[Number]:
-    """By point the largest displacement over speed, and the largest load of any bearing."""
+    """Yield the largest displacement of each point over speed, and the largest bearing load."""
     for k, name in enumerate(result.point):
         largest = result.largest[:, k] * MICROMETRE.factor
         yield from each_speed(result, name, MICROMETRE.unit, largest, digits=2)
@@ -79,7 +79,7 @@ def numbers(result: TimeResponseResult, _: Described) -> Iterator[Number]:
 
 
 def accuracy(result: TimeResponseResult) -> list[str]:
-    """The largest estimated error of the motion."""
+    """Return the line of the largest estimated error of the motion."""
     if not np.isfinite(result.ended).any():
         return []
     worst = float(result.error.max(initial=0.0))
@@ -89,7 +89,7 @@ def accuracy(result: TimeResponseResult) -> list[str]:
 
 
 def warnings(result: TimeResponseResult) -> Iterator[str]:
-    """Where the answer ends early, what its hypotheses do not hold for, and its accuracy."""
+    """Yield warnings of an early end, violated hypotheses, and insufficient accuracy."""
     for row, why in enumerate(result.ending):
         if why:
             yield (
@@ -109,12 +109,12 @@ def warnings(result: TimeResponseResult) -> Iterator[str]:
             )
         elif sentence := pressed(f"time_response, bearing {name}", result.speed, peak):
             yield sentence
-        off = np.nan_to_num(result.unloaded_time[:, k])
-        row = int(off.argmax())
-        if off[row] > 0.0:
+        unloaded = np.nan_to_num(result.unloaded_time[:, k])
+        row = int(unloaded.argmax())
+        if unloaded[row] > 0.0:
             yield (
                 f"time_response: all balls of bearing {name} come off its inner race at "
-                f"{_rpm(result, row)}, for {off[row] * MILLISECOND.factor:.3g} ms altogether: "
+                f"{_rpm(result, row)}, for {unloaded[row] * MILLISECOND.factor:.3g} ms altogether: "
                 "raise the preload, or lower the forces"
             )
     worst = float(result.error.max(initial=0.0))
@@ -131,7 +131,7 @@ def warnings(result: TimeResponseResult) -> Iterator[str]:
 
 
 def _sleeves(result: TimeResponseResult) -> Iterator[str]:
-    """Stops that would close or open, friction that would give way."""
+    """Yield warnings of stops that would close or open, and friction that would slip."""
     for k, name in enumerate(result.sleeve):
         stays = np.isnan(result.stop_force[:, k])
         rubs = bool(result.friction_limit[k] > 0.0)

@@ -1,4 +1,4 @@
-"""Between which speeds motion grows by itself, each of them solved for, and how fast."""
+"""Ranges of unstable speeds, with ends solved for, and the fastest growth in each."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from rotordyn.errors import NoSolution
 from rotordyn.scene.scene import Scene
 from rotordyn.scene.stability import fastest_growth, rank
 
-CLOSE = 1e-9  # of a speed: it is known so well
-NONE = -1e-12  # of |pole|: growth of motion that does not grow
+CLOSE = 1e-9  # of a speed: tolerance of the ends of a range
+NONE = -1e-12  # of |pole|: stands for growth 0 of an undamped motion
 
 
 class Growth(NamedTuple):
-    """``first`` and ``last`` speed (r,) [rad/s] of every range of unstable ones, and the ``pole``
-    (r,) [rad/s] of what grows fastest there."""
+    """``first`` and ``last`` speed (r,) [rad/s] of every range of unstable speeds, and the ``pole``
+    (r,) [rad/s] of the fastest growing motion there."""
 
     first: Array
     last: Array
@@ -27,26 +27,26 @@ class Growth(NamedTuple):
 
 
 def slowest_pole(scene: Scene, spec: UnbalanceSpec) -> Complex:
-    """Of the motion that grows fastest, or decays slowest, of what is out of balance (s,); −∞ where
-    nothing moves."""
+    """Return the pole (s,) of the fastest growing or slowest decaying motion of the subsystems out
+    of balance; −∞ where nothing moves."""
     systems = [scene.system(k) for k in out_of_balance(scene, spec)]
     fastest = fastest_growth(systems, len(scene.usable))
     poles = [np.full((len(scene.usable), 1), -np.inf + 0j)]
     for motions in systems:
         pole = np.where(np.isnan(motions.pole), -np.inf, motions.pole)
         poles.append(np.minimum(pole.real, 0.0) + 1j * pole.imag)
-    every = np.concatenate(poles, axis=1)
-    slowest = np.take_along_axis(every, every.real.argmax(axis=1)[:, None], axis=1)[:, 0]
+    all_poles = np.concatenate(poles, axis=1)
+    slowest = np.take_along_axis(all_poles, all_poles.real.argmax(axis=1)[:, None], axis=1)[:, 0]
     return np.where(fastest.real > 0.0, fastest, slowest)
 
 
 def growth_of(scene: Scene, spec: UnbalanceSpec, speed: Array, pole: Complex) -> Growth:
-    """Of the slowest ``pole`` (s,) at speeds (s,) in any order."""
+    """Return the ranges of growth by the slowest ``pole`` (s,) at speeds (s,) in any order."""
     speed, order = np.unique(speed, return_index=True)
     pole = pole[order]
     steps = np.diff(np.pad((pole.real > 0.0).astype(int), 1))
     ends, fastest = [], []
-    for first, last in zip(*(np.flatnonzero(steps == way) for way in (1, -1)), strict=True):
+    for first, last in zip(*(np.flatnonzero(steps == sign) for sign in (1, -1)), strict=True):
         begin, end = speed[first], speed[last - 1]
         if first:
             begin = _edge(scene, spec, speed[first - 1], begin)
@@ -60,15 +60,15 @@ def growth_of(scene: Scene, spec: UnbalanceSpec, speed: Array, pole: Complex) ->
 
 
 def _edge(scene: Scene, spec: UnbalanceSpec, calm: float, growing: float) -> float:
-    """Where motion begins to grow between a speed at which none grows and one at which some does;
-    the latter where the machine has no state on the way, and where rounding alone tells which."""
+    """Return the speed at which growth begins, between a ``calm`` speed and a ``growing`` one; the
+    latter if the machine has no state between them, or if only rounding separates them."""
     from scipy.optimize import brentq
 
     def growth(speed: float) -> float:
-        other = scene.at(np.array([speed]))
-        if any(other.outcome):
+        solved = scene.at(np.array([speed]))
+        if any(solved.outcome):
             raise NoSolution(f"no state at {speed:.6g} rad/s")
-        pole = slowest_pole(other, spec)[0]
+        pole = slowest_pole(solved, spec)[0]
         ratio = pole.real / abs(pole) if np.isfinite(pole) and pole else 0.0
         return float(ratio) if ratio > 0.0 else min(float(ratio), NONE)
 

@@ -1,4 +1,4 @@
-"""Steady motion by unbalance."""
+"""Result of the response to unbalance."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rotordyn.results.kinds import Array, Complex, Flags, Words
 from rotordyn.scene.linearity import LINEAR
 
 NO_RUN = Absence("of a run without a solution", by=("run",))
-RUNAWAY = 1e3  # times the largest value of steady rotation: a run beyond is growth alone
+RUNAWAY = 1e3  # times the largest value of steady rotation: larger motion on a run is growth
 FEWER = Absence("behind the last peak", last="resonance")
 
 
@@ -22,25 +22,24 @@ class UnbalanceResult:
     """Steady motion by unbalance: y(t) = Re(``displacement`` e^(i|r|Ωt)), z likewise.
 
     ``rotor`` is out of balance, of ``speed_ratio`` r; ``speed`` Ω is that of the spindle.
-    Amplitudes are zero to peak. At t = 0 the mark of the rotor from which angles count points to y,
-    so that ``phase`` is how far a motion leads it. Axes of the orbit: half lengths, ``minor_axis``
-    below zero where the orbit runs against the spindle; ``inclination`` of the major one from y to
-    z. ``force``: of a bearing or support on what it holds, ``force_amplitude`` the major half axis
-    of its hodograph. ``departure``: how far what a bearing's law adds to its load along the orbit
-    differs from what its tangent adds, over the latter. ``film_orbit``: of journals in squeeze
-    films, and ``film_ratio`` the one that these are computed for. ``unstable``: some motion grows
-    by itself there, so that the steady solution given is not reached; ``unstable_…``: every range
-    of such speeds that those of the case and of runs show, and the fastest pole up to
-    ``model_frequency``, or else the slowest one beyond. ``fine_…``: at the speeds of the case and
-    at more of them about every peak, so that the highest values are the true ones, and wherever
-    curves bend; NaN at a speed at which a stop closes and next to a critical speed without damping,
-    where lines break. ``peak_…``: every peak of a point, ascending, NaN where it has fewer,
-    infinite at a critical speed without damping; ``force_unbounded``: the first speed at which a
-    force is. ``run_…``: on runs through the speeds in given times, the largest major half axis from
-    one of ``run_speed`` to the next on the way, and of all; of orbits and, ``run_force…``, of
-    forces; ``run_departure`` is that at the largest forces of bearings. ``critical_speed``:
-    synchronous criticals among the speeds. ``grade_speed``: of the spindle, for which a balance
-    grade is given; 0 without one.
+    Amplitudes are zero to peak. At t = 0 the zero mark of angles on the rotor points to y, so that
+    ``phase`` is the lead of a motion over it. Axes of the orbit: half lengths, ``minor_axis`` below
+    zero where the orbit runs against the spindle; ``inclination`` of the major one from y to z.
+    ``force``: of a bearing or support on the part it holds, ``force_amplitude`` the major half axis
+    of its hodograph. ``departure``: difference of the dynamic load along the orbit by a bearing's
+    law from that by its tangent, over the latter. ``film_orbit``: of journals in squeeze films, and
+    ``film_ratio`` the one that these are computed for. ``unstable``: some motion grows there, so
+    that the given steady solution is not reached; ``unstable_…``: every range of such speeds among
+    those of the case and of runs, and its fastest pole up to ``model_frequency``, or else the
+    slowest one beyond. ``fine_…``: at the speeds of the case and at more speeds about every peak
+    and wherever curves bend, so that peaks are resolved; NaN at a speed at which a stop closes
+    and next to a critical speed without damping, where lines break. ``peak_…``: every peak of a
+    point, ascending, NaN where it has fewer, infinite at a critical speed without damping;
+    ``force_unbounded``: the first speed at which a force is infinite. ``run_…``: on runs through
+    the speeds in given times, the largest major half axis from one ``run_speed`` to the next, and
+    of all; of orbits and, ``run_force…``, of forces; ``run_departure``: ``departure`` at the
+    largest forces of bearings. ``critical_speed``: synchronous critical speeds in the range.
+    ``grade_speed``: of the spindle, for which a balance grade is given; 0 without one.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")

@@ -1,4 +1,4 @@
-"""Steady response to unbalance: orbits at points, forces of bearings and supports, over speed.
+"""Solver of the steady response to unbalance: orbits at points, forces of bearings and supports.
 
 Bearings have the tangents of their preload state at each speed.
 """
@@ -40,68 +40,68 @@ from rotordyn.scene.refinement import AT_REST, changes, response_accuracy, solve
 from rotordyn.scene.sampling import over_speed
 from rotordyn.scene.scene import Scene
 
-UNDAMPED = 1e-9  # of the speed: a pole so near to the excitation has no damping
-BESIDE = 0.2 * NARROW  # of a speed: nearer to a pole without damping a sample is of the pole alone
+UNDAMPED = 1e-9  # of the speed: a pole this near to the excitation has no damping
+BESIDE = 0.2 * NARROW  # of a speed: distance from a pole without damping at which lines break
 
 
 def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
-    """At every speed with a steady solution, of a model refined until it is as accurate as asked
-    for.
+    """Return the response at every speed with a steady solution, by a model refined to the accuracy
+    of the case.
 
     Raises
     ------
-    NoSolution : no speed has one
+    NoSolution : no speed has a steady solution
     """
     for k in out_of_balance(scene, spec):
-        scene.system(k)  # tells of instability (``Scene.warnings``)
+        scene.system(k)  # solves free motions, which ``Scene.warnings`` checks for instability
     spindle, rotor = scene.spindle, unbalanced(scene.spindle, spec)
     ratio = spindle.ratios[rotor]
     scene = scene.whirling(abs(ratio))
     scene, error = solve_accurately(
         scene,
-        lambda one: _errors(one, spec, ratio),
+        lambda model: _errors(model, spec, ratio),
         lambda errors: float(np.nanmax(errors, initial=0.0)),
     )
     speed = ratio * scene.speed[scene.usable]
     motions = [scene.system(k) for k in out_of_balance(scene, spec)]
-    absent = [max(words) for words in zip(*(_absences(one, speed) for one in motions), strict=True)]
-    counts = (speed != 0.0) | (speed == 0.0).all()  # at rest nothing acts
-    why = [word for word, one in zip(absent, counts, strict=True) if one]
-    if all(why):
-        raise NoSolution(f"no speed of the case has a steady response to unbalance: {why[0]}")
-    known = np.array([word == "" for word in absent])
-    moved, pushed, apart = _response(spec, ratio, scene)
-    moved[~known] = pushed[~known] = complex(np.nan, np.nan)
-    apart[~known] = np.nan
-    displacement, force = scene.scattered(moved), scene.scattered(pushed)
+    absent = [max(words) for words in zip(*(_absences(m, speed) for m in motions), strict=True)]
+    counts = (speed != 0.0) | (speed == 0.0).all()  # at rest no unbalance force acts
+    causes = [word for word, rotates in zip(absent, counts, strict=True) if rotates]
+    if all(causes):
+        raise NoSolution(f"no speed of the case has a steady response to unbalance: {causes[0]}")
+    is_steady = np.array([word == "" for word in absent])
+    motion, forces, departures = _response(spec, ratio, scene)
+    motion[~is_steady] = forces[~is_steady] = complex(np.nan, np.nan)
+    departures[~is_steady] = np.nan
+    displacement, force = scene.scattered(motion), scene.scattered(forces)
     ellipse = orbit(displacement[..., 0], displacement[..., 1])
-    placed = acting(spindle, scene.mesh, spec)
+    loads = acting(spindle, scene.mesh, spec)
     critical = _criticals(scene, ratio)
-    fine, (fine_moved, fine_pushed, fine_apart) = _sampled(scene, spec, ratio, critical)
-    lost = np.isin(fine, scene.speed[scene.usable][~known])
-    fine_moved[lost] = fine_pushed[lost] = complex(np.nan, np.nan)
-    endless = [each.speed for each in critical if abs(each.damping_ratio) <= UNDAMPED]
+    fine, (fine_motion, fine_forces, fine_apart) = _sampled(scene, spec, ratio, critical)
+    undefined = np.isin(fine, scene.speed[scene.usable][~is_steady])
+    fine_motion[undefined] = fine_forces[undefined] = complex(np.nan, np.nan)
+    unbounded = [one.speed for one in critical if abs(one.damping_ratio) <= UNDAMPED]
     peaks, pushes = (
-        _peaks(fine, orbit(each[..., 0], each[..., 1]).major, endless)
-        for each in (fine_moved, fine_pushed)
+        _peaks(fine, orbit(values[..., 0], values[..., 1]).major, unbounded)
+        for values in (fine_motion, fine_forces)
     )
-    for at in endless:
-        lost |= np.abs(fine - at) <= BESIDE * at
-    fine_moved[lost] = fine_pushed[lost] = complex(np.nan, np.nan)
-    fine_apart[lost] = np.nan
-    fine_orbit = orbit(fine_moved[..., 0], fine_moved[..., 1])
-    fine_force = orbit(fine_pushed[..., 0], fine_pushed[..., 1]).major
+    for at in unbounded:
+        undefined |= np.abs(fine - at) <= BESIDE * at
+    fine_motion[undefined] = fine_forces[undefined] = complex(np.nan, np.nan)
+    fine_apart[undefined] = np.nan
+    fine_orbit = orbit(fine_motion[..., 0], fine_motion[..., 1])
+    fine_force = orbit(fine_forces[..., 0], fine_forces[..., 1]).major
     outcome = _outcome(scene, absent)
     runs = runs_of(scene, spec, ratio, outcome)
     return UnbalanceResult(
         speed=scene.speed,
         point=spec.points,
         axis=AXES,
-        support=tuple(each.name for each in spindle.connections),
-        unbalance=tuple(one.name for one in placed),
-        critical=tuple(each.mode for each in critical),
+        support=tuple(link.name for link in spindle.connections),
+        unbalance=tuple(load.name for load in loads),
+        critical=tuple(one.mode for one in critical),
         outcome=outcome,
-        unstable=scene.scattered(np.any([one.growing.any(axis=1) for one in motions], axis=0)),
+        unstable=scene.scattered(np.any([part.growing.any(axis=1) for part in motions], axis=0)),
         displacement=displacement,
         amplitude=np.abs(displacement),
         phase=np.angle(displacement),
@@ -109,28 +109,28 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         minor_axis=ellipse.minor,
         inclination=ellipse.inclination,
         force=force,
-        departure=scene.scattered(apart),
+        departure=scene.scattered(departures),
         force_amplitude=orbit(force[..., 0], force[..., 1]).major,
         rotor=rotor,
         grade_speed=spec.grade.speed if spec.grade else 0.0,
         speed_ratio=ratio,
-        unbalance_station=np.array([one.place.x for one in placed]),
-        unbalance_size=np.array([abs(one.size) for one in placed]),
-        unbalance_angle=np.array([np.angle(one.size) for one in placed]),
-        critical_speed=np.array([each.speed for each in critical]),
-        critical_damping=np.array([each.damping_ratio for each in critical]),
+        unbalance_station=np.array([load.place.x for load in loads]),
+        unbalance_size=np.array([abs(load.size) for load in loads]),
+        unbalance_angle=np.array([np.angle(load.size) for load in loads]),
+        critical_speed=np.array([one.speed for one in critical]),
+        critical_damping=np.array([one.damping_ratio for one in critical]),
         error=error,
         error_asked=response_accuracy(scene),
         fine_speed=fine,
-        fine_displacement=fine_moved,
+        fine_displacement=fine_motion,
         fine_major_axis=fine_orbit.major,
         fine_minor_axis=fine_orbit.minor,
         fine_force_amplitude=fine_force,
         fine_departure=fine_apart,
-        force_unbounded=_first(pushes),
+        force_unbounded=_first_unbounded(pushes),
         film_orbit=_film_orbits(spindle, fine, ratio, fine_force),
         film_ratio=np.array(
-            [getattr(each, "eccentricity_ratio", np.nan) for each in spindle.connections]
+            [getattr(link, "eccentricity_ratio", np.nan) for link in spindle.connections]
         ),
         resonance=np.arange(1, peaks.shape[-1] + 1),
         peak_speed=peaks[0],
@@ -155,83 +155,83 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
 
 
 def _response(spec: UnbalanceSpec, ratio: float, scene: Scene) -> list[NDArray[Any]]:
-    """Displacements (usable, points, 2) [m], forces (usable, connections, 2) [N] and how far loads
-    of bearings depart from those of their tangents (usable, connections)."""
-    speed, every = ratio * scene.speed[scene.usable], []
+    """Return displacements (usable, points, 2) [m], forces (usable, connections, 2) [N] and the
+    departure of loads of bearings from those of their tangents (usable, connections)."""
+    speed, subsystems = ratio * scene.speed[scene.usable], []
     for linear in map(scene.linear, out_of_balance(scene, spec)):
         motion = steady(scene, linear, spec, speed)
-        moved = displacements(scene, linear, spec, motion)
-        every.append((moved, _forces(scene, linear, speed, motion)))
-    parts = [np.sum(each, axis=0) for each in zip(*every, strict=True)]
+        displacement = displacements(scene, linear, spec, motion)
+        subsystems.append((displacement, _forces(scene, linear, speed, motion)))
+    parts = [np.sum(values, axis=0) for values in zip(*subsystems, strict=True)]
     if ratio < 0.0:  # e^(irΩt) as e^(i|r|Ωt)
-        parts = [each.conj() for each in parts]
-    apart, seats = np.full(parts[1].shape[:2], np.nan), len(scene.spindle.seats)
+        parts = [values.conj() for values in parts]
+    departures, seats = np.full(parts[1].shape[:2], np.nan), len(scene.spindle.seats)
     if seats:
-        apart[:, :seats] = departure(scene, _rings(scene, spec, speed))
-    return [*parts, apart]
+        departures[:, :seats] = departure(scene, _rings(scene, spec, speed))
+    return [*parts, departures]
 
 
 def _sampled(
     scene: Scene, spec: UnbalanceSpec, ratio: float, critical: Sequence[Critical]
 ) -> tuple[Array, list[NDArray[Any]]]:
-    """Speeds, those of the case and more about every peak, and the response there."""
+    """Return speeds, those of the case and more about every peak, and the response there."""
 
     def amplitude(arrays: Sequence[NDArray[Any]]) -> Array:
         y, z = arrays[0][..., 0], arrays[0][..., 1]
         return np.concatenate([orbit(y, z).major, np.abs(y), np.abs(z)], axis=1)
 
-    at = np.array([each.speed for each in critical])
-    widths = at * np.abs([each.damping_ratio for each in critical])
-    return over_speed(scene, partial(_response, spec, ratio), amplitude, at, widths)
+    speeds = np.array([one.speed for one in critical])
+    widths = speeds * np.abs([one.damping_ratio for one in critical])
+    return over_speed(scene, partial(_response, spec, ratio), amplitude, speeds, widths)
 
 
-def _peaks(speed: Array, amplitude: Array, endless: Sequence[float]) -> Array:
-    """Speed and height of every local maximum of the amplitudes (speeds, points): (2, points, n),
-    NaN where a point has fewer; infinite beside a critical speed without damping (``endless``)."""
-    places = [tops(each) for each in amplitude.T]
+def _peaks(speed: Array, amplitude: Array, unbounded: Sequence[float]) -> Array:
+    """Return speed and height of every local maximum of the amplitudes (speeds, points):
+    (2, points, n), NaN where a point has fewer; infinite near the ``unbounded`` critical speeds."""
+    places = [tops(curve) for curve in amplitude.T]
     peaks = np.full((2, len(places), max(map(len, places), default=0)), np.nan)
-    for row, (place, each) in enumerate(zip(places, amplitude.T, strict=True)):
-        peaks[0, row, : len(place)], peaks[1, row, : len(place)] = speed[place], each[place]
-        for at in endless:
+    for row, (place, curve) in enumerate(zip(places, amplitude.T, strict=True)):
+        peaks[0, row, : len(place)], peaks[1, row, : len(place)] = speed[place], curve[place]
+        for at in unbounded:
             near = np.abs(peaks[0, row] - at) <= 2.0 * NARROW * at
             peaks[0, row, near], peaks[1, row, near] = at, np.inf
     return peaks
 
 
-def _first(peaks: Array) -> Array:
-    """The first speed at which one of ``peaks`` (2, curves, n) is infinite, NaN without one."""
+def _first_unbounded(peaks: Array) -> Array:
+    """Return the first speed at which ``peaks`` (2, curves, n) are infinite, NaN without one."""
     at = np.where(np.isinf(peaks[1]), peaks[0], np.inf).min(axis=1, initial=np.inf)
     return np.where(np.isinf(at), np.nan, at)
 
 
 def _rings(scene: Scene, spec: UnbalanceSpec, speed: Array) -> Complex:
-    """Of the rings of every bearing, in its frame (speeds, seats, 5)."""
+    """Return the motion of the rings of every bearing, in its frame (speeds, seats, 5)."""
     parts = [scene.linear(k) for k in out_of_balance(scene, spec)]
     motions = [steady(scene, part, spec, speed).moved for part in parts]
-    each = zip(parts, motions, strict=True)
-    rows = [np.einsum("kdn,sn->skd", ring_rows(scene, part), moved) for part, moved in each]
+    pairs = zip(parts, motions, strict=True)
+    rows = [np.einsum("kdn,sn->skd", ring_rows(scene, part), motion) for part, motion in pairs]
     return np.asarray(sum(rows))
 
 
 def _forces(scene: Scene, linear: Linear, speed: Array, motion: Steady) -> Complex:
-    """Of bearings, then supports on the shaft along y and z (speeds, connections, 2) [N]."""
-    linked = {id(each.link): each for each in linear.connections}
+    """Return forces of bearings, then supports along y and z (speeds, connections, 2) [N]."""
+    linked = {id(connection.link): connection for connection in linear.connections}
     connections = scene.rotor.connections
     force = np.zeros((len(speed), len(connections), 2), dtype=complex)
-    axes = [position(way) for way in AXES]
-    known = np.isfinite(motion.left).all(axis=1)
-    rigid = linear.rigid_force(motion.left[known])
+    axes = [position(axis) for axis in AXES]
+    finite = np.isfinite(motion.left).all(axis=1)
+    rigid = linear.rigid_force(motion.left[finite])
     for k, link in enumerate(connections):
         if id(link) in linked:
             force[:, k] = linked[id(link)].force(speed, motion.moved)[:, axes]
         if link.name in rigid:
-            force[known, k] += rigid[link.name][:, axes]
+            force[finite, k] += rigid[link.name][:, axes]
     return force
 
 
 def _film_orbits(spindle: Spindle, speed: Array, ratio: float, force: Array) -> Array:
-    """Orbits of journals over the clearance of their squeeze films (speeds, connections), of the
-    amplitude of the forces that these carry; NaN of all other connections."""
+    """Return orbits of journals over the clearance of their squeeze films (speeds, connections), by
+    the amplitude of the film forces; NaN for all other connections."""
     orbits = np.full(force.shape, np.nan)
     for k, damper in enumerate(spindle.connections):
         if isinstance(damper, SqueezeFilmDamper):
@@ -242,42 +242,42 @@ def _film_orbits(spindle: Spindle, speed: Array, ratio: float, force: Array) -> 
 
 
 def _absences(motions: FreeMotions, speed: Array) -> list[str]:
-    """Per speed: empty, or why there is no steady solution."""
-    turning = motions.answering(SYNCHRONOUS)
+    """Return for each speed why it has no steady solution, or ""."""
+    synchronous = motions.answering(SYNCHRONOUS)
     spin, size = speed[:, None], np.abs(speed)[:, None]
-    near = np.abs(turning.pole - 1j * size) <= UNDAMPED * size
-    lost = (near & (turning.whirl * spin >= 0.0)).any(axis=1) & (speed != 0.0)
+    near = np.abs(synchronous.pole - 1j * size) <= UNDAMPED * size
+    undamped = (near & (synchronous.whirl * spin >= 0.0)).any(axis=1) & (speed != 0.0)
     why = "a critical speed without damping: the response grows without bound"
-    return [why if one else "" for one in lost]
+    return [why if flag else "" for flag in undamped]
 
 
 def _outcome(scene: Scene, absent: list[str]) -> tuple[str, ...]:
-    """Why a speed has no steady solution, or no state at all."""
-    words = list(scene.outcome)
+    """Return for each speed why it has no steady solution, or no state, or ""."""
+    outcome = list(scene.outcome)
     for row, word in zip(scene.usable, absent, strict=True):
-        words[row] = word
-    return tuple(words)
+        outcome[row] = word
+    return tuple(outcome)
 
 
 def _criticals(scene: Scene, ratio: float) -> list[Critical]:
-    """Critical speeds among those of the case of what turns ``ratio`` times as fast."""
+    """Return critical speeds in the range of the case, of rotors with the speed ``ratio``."""
     ratios = scene.spindle.ratios
-    every = criticals_up_to(scene, abs(ratio), motions=("bending",))
-    return [each for each in every if each.excited and ratios[each.line.rotor] == ratio]
+    criticals = criticals_up_to(scene, abs(ratio), motions=("bending",))
+    return [one for one in criticals if one.excited and ratios[one.line.rotor] == ratio]
 
 
 def _errors(scene: Scene, spec: UnbalanceSpec, ratio: float) -> Array:
-    """Largest change of the motion of each point by the finer model, over its peak (points,)."""
+    """Return the largest change of the motion (points,) by a finer model, over its peak."""
     if scene.rigid:
         return np.zeros(len(spec.points))
     if not scene.checks.wanted:
         return np.full(len(spec.points), np.nan)
 
-    def values(one: Scene, rows: Indices) -> Complex:
-        speed, moved = ratio * one.speed[one.usable[rows]], []
-        for k in out_of_balance(one, spec):
-            linear = one.linear(k, rows)
-            moved.append(displacements(one, linear, spec, steady(one, linear, spec, speed)))
-        return np.nan_to_num(np.sum(moved, axis=0))
+    def values(model: Scene, rows: Indices) -> Complex:
+        speed, parts = ratio * model.speed[model.usable[rows]], []
+        for k in out_of_balance(model, spec):
+            linear = model.linear(k, rows)
+            parts.append(displacements(model, linear, spec, steady(model, linear, spec, speed)))
+        return np.nan_to_num(np.sum(parts, axis=0))
 
     return changes(scene, values, 1, AT_REST)

@@ -1,4 +1,4 @@
-"""What a case asks of the response to unbalance (SI)."""
+"""Description of an analysis of the response to unbalance (SI)."""
 
 from __future__ import annotations
 
@@ -59,16 +59,16 @@ class UnbalanceSpec(Spec):
         for index, name in enumerate(self.points):
             for sentence in unknown("point", name, spindle.places):
                 yield ("points", index), sentence
-        for index, each in enumerate(self.unbalances):
-            yield from placed(each.at, spindle, ("unbalances", index, "at"), rotors=True)
+        for index, unbalance in enumerate(self.unbalances):
+            yield from placed(unbalance.at, spindle, ("unbalances", index, "at"), rotors=True)
         for index, span in enumerate(self.spans):
             yield from spanned(span.start, span.to, spindle, ("spans", index), rotors=True)
         if self.grade is not None:
-            yield from _planes(self.grade, spindle)
-        yield from self._one_speed(spindle)
+            yield from _plane_faults(self.grade, spindle)
+        yield from self._speed_faults(spindle)
 
-    def _one_speed(self, spindle: Spindle) -> Faults:
-        """All that is out of balance turns, and at one speed."""
+    def _speed_faults(self, spindle: Spindle) -> Faults:
+        """Check that all rotors out of balance turn, and at one speed."""
         first: dict[float, str] = {}
         for path, at in self._acting():
             if isinstance(at, str) and at not in spindle.places:
@@ -83,9 +83,9 @@ class UnbalanceSpec(Spec):
                     yield path, f"rotors {others} turn at different speeds: ask of one at a time"
 
     def _acting(self) -> Iterator[tuple[Path, str | float]]:
-        """Where unbalance acts: path of keys, and point or station."""
-        for index, each in enumerate(self.unbalances):
-            yield ("unbalances", index, "at"), each.at
+        """Yield the path of keys, and point or station, of every unbalance."""
+        for index, unbalance in enumerate(self.unbalances):
+            yield ("unbalances", index, "at"), unbalance.at
         for index, span in enumerate(self.spans):
             yield ("spans", index, "from"), span.start
         for index, at in enumerate(self.grade.planes if self.grade else ()):
@@ -93,24 +93,24 @@ class UnbalanceSpec(Spec):
 
     @property
     def places(self) -> tuple[str | float, ...]:
-        """Points and stations at which something acts or is asked for."""
+        """Points and stations of results and of unbalance."""
         return (*self.points, *self.acting)
 
     @property
     def acting(self) -> tuple[str | float, ...]:
-        """Points and stations at which unbalance acts; both ends of a span."""
-        named = [each.at for each in self.unbalances]
-        named += [at for span in self.spans for at in (span.start, span.to)]
-        return (*named, *(self.grade.planes if self.grade else ()))
+        """Points and stations of unbalance; both ends of a span."""
+        places = [unbalance.at for unbalance in self.unbalances]
+        places += [at for span in self.spans for at in (span.start, span.to)]
+        return (*places, *(self.grade.planes if self.grade else ()))
 
 
 def run_name(time: float) -> str:
-    """A time [s] as it names a run."""
+    """Return a time [s] as the name of a run."""
     return f"{time:g} s"
 
 
-def _planes(grade: BalanceGrade, spindle: Spindle) -> Faults:
-    """Planes on one rotor; of two, one on either side of its centre of gravity."""
+def _plane_faults(grade: BalanceGrade, spindle: Spindle) -> Faults:
+    """Check that planes are on one rotor, two on both sides of its centre of gravity."""
     path = ("grade", "planes")
     faults = [
         fault

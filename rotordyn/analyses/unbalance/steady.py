@@ -21,24 +21,24 @@ AXES = ("y", "z")
 
 
 def out_of_balance(scene: Scene, spec: UnbalanceSpec) -> list[int]:
-    """Subsystems in which something is; of rotors that nothing joins, several."""
+    """Return the subsystems out of balance; several of rotors without connection."""
     return sorted({scene.owner(at, "y") for at in spec.acting})
 
 
 class Steady(NamedTuple):
-    """Coordinates ``moved`` (speeds, n), and the forces ``left`` (speeds, n) that springs, dampers
-    and inertia leave to rigid supports."""
+    """Coordinates ``moved`` (speeds, n), and the residual forces ``left`` (speeds, n) that rigid
+    supports carry."""
 
     moved: Complex
     left: Complex
 
 
 def steady(scene: Scene, linear: Linear, spec: UnbalanceSpec, speed: Array) -> Steady:
-    """Motion under loads Ω² e^(iΩt) that turn; at rest nothing moves.
+    """Return the motion under rotating loads Ω² e^(iΩt), 0 at rest.
 
     ``speed`` Ω (speeds,) [rad/s] of the rotor that is out of balance, below 0 where it turns
     against the spindle: its motion is then that of the conjugate loads. Where the dynamic stiffness
-    is singular the answer is not finite.
+    is singular the motion is infinite.
     """
     force = load_of(scene, linear, spec)
     stiffness = answering_stiffness(linear, SYNCHRONOUS)
@@ -48,32 +48,32 @@ def steady(scene: Scene, linear: Linear, spec: UnbalanceSpec, speed: Array) -> S
         dynamic = stiffness[row] + 1j * w * linear.damping[row] - w**2 * np.eye(linear.size)
         load = w**2 * (force if speed[row] > 0.0 else np.conj(force))
         try:
-            within = np.linalg.solve(linear.within(dynamic), along(load, linear.basis))
+            reduced = np.linalg.solve(linear.within(dynamic), along(load, linear.basis))
         except np.linalg.LinAlgError:
             moved[row] = left[row] = complex(np.inf, np.inf)
             continue
-        moved[row] = linear.basis @ within
+        moved[row] = linear.basis @ reduced
         left[row] = load - dynamic @ moved[row]
-    back = (speed < 0.0)[:, None]
-    return Steady(*(np.where(back, each.conj(), each) for each in (moved, left)))
+    is_backward = (speed < 0.0)[:, None]
+    return Steady(*(np.where(is_backward, values.conj(), values) for values in (moved, left)))
 
 
 def load_of(scene: Scene, linear: Linear, spec: UnbalanceSpec) -> Complex:
-    """Load on the coordinates (n,) per Ω² [kg·m]."""
+    """Return the load on the coordinates (n,) per Ω² [kg·m]."""
     loads, motion = node_loads(scene.spindle, scene.mesh, spec), linear.motion
     parts = [
-        way * np.einsum("nfc,f,nf->c", motion[:, [position(n) for n in names]], signs, loads)
-        for way, (names, signs) in zip(FORWARD, PLANES.values(), strict=True)
+        direction * np.einsum("nfc,f,nf->c", motion[:, [position(n) for n in names]], signs, loads)
+        for direction, (names, signs) in zip(FORWARD, PLANES.values(), strict=True)
     ]
     return np.asarray(parts[0] + parts[1])
 
 
 def displacement_rows(scene: Scene, linear: Linear, spec: UnbalanceSpec) -> Array:
-    """Motion of the points along y and z by the coordinates (points, 2, n)."""
+    """Return rows (points, 2, n): motion of the points along y and z by the coordinates."""
     places = [scene.spindle.place(name) for name in spec.points]
-    return np.array([[linear.row(*place, way) for way in AXES] for place in places])
+    return np.array([[linear.row(*place, axis) for axis in AXES] for place in places])
 
 
 def displacements(scene: Scene, linear: Linear, spec: UnbalanceSpec, motion: Steady) -> Complex:
-    """Of the points along y and z (speeds, points, 2)."""
+    """Return displacements of the points along y and z (speeds, points, 2)."""
     return np.einsum("pan,sn->spa", displacement_rows(scene, linear, spec), motion.moved)

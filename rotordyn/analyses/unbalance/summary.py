@@ -1,4 +1,4 @@
-"""Response to unbalance in a few lines of text: what acts, largest amplitudes, forces, whirl."""
+"""Lines of text of the response to unbalance: unbalances, largest amplitudes, forces, whirl."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ from rotordyn.scene.linearity import beyond_tangents
 from rotordyn.scene.stability import how_it_grows
 
 Array = NDArray[np.float64]
-SAME = 1e-6  # of a speed
-BESIDE = 1e-4  # of a speed: a peak nearer to a critical speed without damping is that one's
-WIDER = 1.2  # than the orbit that its film is computed for
-MOST = 0.99  # of the clearance: an orbit beyond touches
+SAME = 1e-6  # of a speed: tolerance of equal speeds
+BESIDE = 1e-4  # of a speed: a peak nearer to a critical speed is the peak of that one
+WIDER = 1.2  # times the orbit that a film is computed for: wider ones are reported
+MOST = 0.99  # of the clearance: a larger orbit touches
 FLAT = 0.2  # of the clearance: up to there damping changes by 6 %
-ENOUGH = 0.01  # of the peak of a run: a smaller error is small beside what damping is known to
-STRAIGHT = 1e-6  # of the major half axis: less backward than that is rounding
+ENOUGH = 0.01  # of the peak of a run: smaller errors are less than the uncertainty of damping
+STRAIGHT = 1e-6  # of the major half axis: a smaller backward half axis is rounding
 
 
 def summary(result: UnbalanceResult) -> list[str]:
-    """Amplitudes are zero to peak, the largest half axis of the orbit between the speeds."""
+    """Return lines of unbalances, largest half axes, zero to peak, and forces over speed."""
     acting = [
         unbroken(f"{name} {size * GRAM_MILLIMETRE.factor:.4g} g·mm at {x * 1e3:.1f} mm")
         + (unbroken(f" to {np.degrees(angle):.4g}°") if abs(angle) > 0.0 else "")
@@ -40,15 +40,15 @@ def summary(result: UnbalanceResult) -> list[str]:
             strict=True,
         )
     ]
-    moved = [unbroken(f"{name} {word}") for name, word in _moved(result).items()]
-    pushed = [
+    orbits = [unbroken(f"{name} {word}") for name, word in _amplitudes(result).items()]
+    forces = [
         unbroken(
             f"{name} {_endless(at)}"
             if np.isfinite(at)
-            else f"{name} {_peak(values, '.4g')} N{_at(result, values)}"
+            else f"{name} {_peak(values, '.4g')} N{_at_speed(result, values)}"
         )
         if np.isfinite(values).any()
-        else f"{name} not determined"  # a rigid rotor on more rigid supports than hold it
+        else f"{name} not determined"  # a rigid rotor on redundant rigid supports
         for name, values, at in zip(
             result.support,
             result.fine_force_amplitude.T,
@@ -58,16 +58,16 @@ def summary(result: UnbalanceResult) -> list[str]:
     ]
     turns = "" if result.speed_ratio == 1.0 else f" on {result.rotor}, at its speed"
     return [
-        f"unbalance  {', '.join(acting)}{turns}{_graded(result)}",
-        f"           largest half axis of the orbit, zero to peak: {', '.join(moved)}",
-        f"           largest force, zero to peak: {', '.join(pushed)}",
+        f"unbalance  {', '.join(acting)}{turns}{_grade(result)}",
+        f"           largest half axis of the orbit, zero to peak: {', '.join(orbits)}",
+        f"           largest force, zero to peak: {', '.join(forces)}",
         *_backward(result),
         *_runs(result),
     ]
 
 
-def _graded(result: UnbalanceResult) -> str:
-    """Where a balance grade is given for another speed than the highest of the case."""
+def _grade(result: UnbalanceResult) -> str:
+    """Return text if a balance grade is for another speed than the highest of the case."""
     top = float(result.speed[-1])
     if result.grade_speed == 0.0 or abs(result.grade_speed - top) <= SAME * top:
         return ""
@@ -76,7 +76,7 @@ def _graded(result: UnbalanceResult) -> str:
 
 
 def numbers(result: UnbalanceResult, _: Described) -> Iterator[Number]:
-    """By point the largest half axis of the orbit, and the speed at which it is."""
+    """Yield for each point the largest half axis of the orbit, and its speed."""
     for place, (name, values) in enumerate(
         zip(result.point, result.fine_major_axis.T, strict=True)
     ):
@@ -90,11 +90,11 @@ def numbers(result: UnbalanceResult, _: Described) -> Iterator[Number]:
             yield Number(f"{name} {run}", MICROMETRE.unit, size * MICROMETRE.factor, digits=2)
 
 
-def _moved(result: UnbalanceResult) -> dict[str, str]:
-    """By point, with the speed at which it is."""
+def _amplitudes(result: UnbalanceResult) -> dict[str, str]:
+    """Return by point the text of the largest half axis and its speed."""
     return {
         name: _unbounded(result, place)
-        or f"{_peak(values * MICROMETRE.factor, '.4g')} µm{_at(result, values)}"
+        or f"{_peak(values * MICROMETRE.factor, '.4g')} µm{_at_speed(result, values)}"
         for place, (name, values) in enumerate(
             zip(result.point, result.fine_major_axis.T, strict=True)
         )
@@ -102,7 +102,7 @@ def _moved(result: UnbalanceResult) -> dict[str, str]:
 
 
 def _unbounded(result: UnbalanceResult, place: int) -> str:
-    """Where nothing limits the amplitude of a point; empty where everything does."""
+    """Return text of the speed of an unbounded amplitude of a point, or ""."""
     at = result.peak_speed[place, np.isinf(result.peak_amplitude[place])]
     return _endless(float(at[0])) if at.size else ""
 
@@ -115,51 +115,51 @@ def _peak(values: Array, form: str) -> str:
     return format(float(np.nanmax(values)), form)
 
 
-def _at(result: UnbalanceResult, values: Array) -> str:
+def _at_speed(result: UnbalanceResult, values: Array) -> str:
     return f" at {result.fine_speed[int(np.nanargmax(values))] * RPM.factor:.0f} rpm"
 
 
 def _backward(result: UnbalanceResult) -> list[str]:
-    """Where orbits run against the spindle; the rotor out of balance may turn so itself."""
-    still = result.fine_major_axis == 0.0  # as at rest, which orbits leave in the sense beside it
-    back = -result.fine_minor_axis / np.where(still, np.nan, result.fine_major_axis) - STRAIGHT
-    back[0] = np.where(still[0], back[min(1, len(back) - 1)], back[0])
+    """Return the line of speeds with orbits against the spindle, as the rotor itself may turn."""
+    at_rest = result.fine_major_axis == 0.0  # which has the sense of whirl of the next speed
+    excess = -result.fine_minor_axis / np.where(at_rest, np.nan, result.fine_major_axis) - STRAIGHT
+    excess[0] = np.where(at_rest[0], excess[min(1, len(excess) - 1)], excess[0])
     words = []
-    for name, values in zip(result.point, back.T, strict=True):
+    for name, values in zip(result.point, excess.T, strict=True):
         ranges = [_from_to(*ends) for ends in above_zero(result.fine_speed, values)]
         words += [unbroken(f"{name} {' and '.join(ranges)}")] if ranges else []
-    way = "backward" if result.speed_ratio > 0.0 else "against the spindle"
-    return [f"           whirl {way}: {', '.join(words)}"] if words else []
+    sense = "backward" if result.speed_ratio > 0.0 else "against the spindle"
+    return [f"           whirl {sense}: {', '.join(words)}"] if words else []
 
 
 def _runs(result: UnbalanceResult) -> list[str]:
-    """The largest half axis of the orbit and the largest forces on runs through the speeds."""
+    """Return lines of the largest half axes of orbits and the largest forces on runs."""
     lines = list[str]()
     for k, name in enumerate(result.run):
-        moved = zip(
+        orbits = zip(
             result.point,
             result.run_peak[k] * MICROMETRE.factor,
             result.run_peak_speed[k],
             strict=True,
         )
-        pushed = zip(
+        forces = zip(
             result.support, result.run_force_peak[k], result.run_force_peak_speed[k], strict=True
         )
         words = [
             ", ".join(
-                unbroken(f"{one} {size:.4g} {unit} at {speed * RPM.factor:.0f} rpm")
-                for one, size, speed in each
+                unbroken(f"{part} {size:.4g} {unit} at {speed * RPM.factor:.0f} rpm")
+                for part, size, speed in values
                 if np.isfinite(size)
             )
-            for each, unit in ((moved, MICROMETRE.unit), (pushed, "N"))
+            for values, unit in ((orbits, MICROMETRE.unit), (forces, "N"))
         ]
-        told = "; ".join(filter(None, words)) or "no solution"
-        lines.append(f"{'' if lines else 'run':<10} {name}: {told}")
+        text = "; ".join(filter(None, words)) or "no solution"
+        lines.append(f"{'' if lines else 'run':<10} {name}: {text}")
     return lines
 
 
 def accuracy(result: UnbalanceResult) -> list[str]:
-    """The largest estimated error of the motion."""
+    """Return lines of the largest estimated errors of the motion."""
     worst = float(result.error.max(initial=0.0))
     lines = [f"response to unbalance within {rounded_up(worst)} of its peak"]
     steady = np.nanmax(result.fine_major_axis, initial=0.0)
@@ -171,35 +171,35 @@ def accuracy(result: UnbalanceResult) -> list[str]:
 
 
 def warnings(result: UnbalanceResult) -> list[str]:
-    """Loads beyond the tangents of bearings, motion less accurate than asked for."""
-    known = result.support, result.fine_speed, result.fine_departure
-    told = [*beyond_tangents("unbalance", *known)]
-    told += _films(result)
-    told += _hardly_damped(result)
-    told += _of_runs(result)
-    worst = float(result.error.max(initial=0.0))  # NaN where no finer model was asked
+    """Return warnings of loads beyond tangents, films, light damping, runs and errors."""
+    curves = result.support, result.fine_speed, result.fine_departure
+    sentences = [*beyond_tangents("unbalance", *curves)]
+    sentences += _films(result)
+    sentences += _hardly_damped(result)
+    sentences += _run_warnings(result)
+    worst = float(result.error.max(initial=0.0))  # NaN without a finer model
     if worst > result.error_asked:
         point = result.point[int(result.error.argmax())]
-        told.append(
+        sentences.append(
             f"unbalance: the motion of {point} is less accurate than asked for: an estimated error "
             f"of {rounded_up(worst)} of its peak remains after refinement"
         )
-    return told
+    return sentences
 
 
-def _of_runs(result: UnbalanceResult) -> Iterator[str]:
-    """Runs without a solution, beyond tangents, not accurate, or past speeds of instability."""
+def _run_warnings(result: UnbalanceResult) -> Iterator[str]:
+    """Yield warnings of runs without a solution, beyond tangents, inaccurate, or unstable."""
     for name, why in zip(result.run, result.run_outcome, strict=True):
         if why:
             yield f"unbalance: the run {name} has no solution: {why}; leave it out"
-    for name, speed, apart in zip(
+    for name, speed, departures in zip(
         result.run, result.run_force_peak_speed, result.run_departure, strict=True
     ):
-        at = speed[~np.isnan(apart)]
+        at = speed[~np.isnan(departures)]
         if at.size:
             where = f"on the run {name}, {_from_to(at.min(), at.max())}"
             what = f"unbalance: at the largest forces of bearings {where}"
-            yield from beyond_tangents(what, result.support, None, apart[None])
+            yield from beyond_tangents(what, result.support, None, departures[None])
     ranges = zip(result.unstable_from, result.unstable_to, result.unstable_pole, strict=True)
     highest = result.model_frequency
     grows = [f"{_from_to(*ends)} it {how_it_grows(pole, highest)}" for *ends, pole in ranges]
@@ -223,13 +223,13 @@ def _from_to(first: float, last: float) -> str:
     >>> _from_to(100.0, 200.0), _from_to(100.0, 100.0)
     ('from about 955 to 1910 rpm', 'at about 955 rpm')
     """
-    ends = [number(each * RPM.factor, 0) for each in (first, last)]
-    apart = ends[0] != ends[1]
-    return f"from about {ends[0]} to {ends[1]} rpm" if apart else f"at about {ends[0]} rpm"
+    ends = [number(speed * RPM.factor, 0) for speed in (first, last)]
+    is_range = ends[0] != ends[1]
+    return f"from about {ends[0]} to {ends[1]} rpm" if is_range else f"at about {ends[0]} rpm"
 
 
 def _hardly_damped(result: UnbalanceResult) -> Iterator[str]:
-    """Points whose highest peak is that of a critical speed that hardly anything damps."""
+    """Yield a warning of points with the highest peak at a lightly damped critical speed."""
     light = [
         (point, k)
         for point, k in zip(result.point, _highest_critical(result), strict=True)
@@ -243,18 +243,18 @@ def _hardly_damped(result: UnbalanceResult) -> Iterator[str]:
 
 
 def _highest_critical(result: UnbalanceResult) -> Iterator[int | None]:
-    """Of every point the critical speed at its highest peak, of those with a limit."""
+    """Yield for each point the index of the critical speed at its highest finite peak, or None."""
     for speed, height in zip(result.peak_speed, result.peak_amplitude, strict=True):
         if not np.isfinite(height).any() or np.isinf(height).any():
             yield None
             continue
-        away = np.abs(result.critical_speed / speed[int(np.nanargmax(height))] - 1.0)
-        near = away.size and away.min() <= BESIDE
-        yield int(away.argmin()) if near else None
+        distance = np.abs(result.critical_speed / speed[int(np.nanargmax(height))] - 1.0)
+        is_near = distance.size and distance.min() <= BESIDE
+        yield int(distance.argmin()) if is_near else None
 
 
 def _films(result: UnbalanceResult) -> Iterator[str]:
-    """Squeeze films whose largest orbit is another one than their coefficients are computed for."""
+    """Yield warnings of squeeze films whose largest orbit is not that of their coefficients."""
     for k, name in enumerate(result.support):
         orbit, ratio = np.nan_to_num(result.film_orbit[:, k], posinf=np.inf), result.film_ratio[k]
         row = int(orbit.argmax())

@@ -1,4 +1,4 @@
-"""Temperatures and preload over time."""
+"""Result of a warm-up: temperatures and preload over time."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ BY = ("speed", "bearing")
 LATER = Absence("after its end, where it ends early", last="time")
 UNBALANCED = Absence("where temperatures reach no balance", by=BY)
 NONE_THROUGH = Absence("where every speed ends early")
-ENOUGH = 1.0  # K: a change of temperatures by the last halving that is small beside all hypotheses
+ENOUGH = 1.0  # K: largest change by the last halving, small against the error of all hypotheses
 
 
 @dataclass(frozen=True)
 class WarmUpResult:
-    """Every bearing over time from the start.
+    """Temperatures and loads of every bearing over time from the start.
 
     ``ended`` [s]: the last instant with values, ``ending`` why it is not the end of the duration.
-    ``axial_load`` in the frame of a bearing, below 0 where one for both ways is pressed from the
-    other side; ``largest_load`` its size at ``largest_time``; ``steady_load``, ``steady_…``: in the
-    end, where temperatures are in balance; ``unbalanced``: why they never are. ``error``: largest
-    change of a temperature when the steps were halved [K], of speeds that do not end early.
+    ``axial_load`` in the frame of a bearing, below 0 where one that carries both directions is
+    loaded from the other side; ``largest_load`` its amount at ``largest_time``; ``steady_load``,
+    ``steady_…``: in thermal balance; ``unbalanced``: why there is none. ``error``: largest change
+    of a temperature by halving the steps [K], of speeds that do not end early.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")

@@ -1,4 +1,4 @@
-"""Temperatures and preload over time from the start, the steps halved until temperatures stay."""
+"""Solver of a warm-up: temperatures and preload over time, with steps halved to convergence."""
 
 from __future__ import annotations
 
@@ -16,21 +16,21 @@ from rotordyn.preload.heat_balance import Flow, cold
 from rotordyn.preload.warming import Begin, SurroundingsAt, Warming, warming
 from rotordyn.scene.scene import Scene
 
-STEPS, MOST_STEPS = 20, 640  # of the coarsest run and the finest
-NEAR = 0.1  # of the time up to which temperatures run away: a change by the last halving
+STEPS, MOST_STEPS = 20, 640  # of the coarsest and the finest run
+NEAR = 0.1  # of the time at which temperatures run away: its largest change by the last halving
 STEEL, CERAMIC, LIGHT = 460.0, 700.0, 4500.0  # specific heats [J/(kg K)], the density between them
 
 
 def answer(scene: Scene, spec: WarmUpSpec) -> WarmUpResult:
-    """Every bearing at every speed, also where temperatures will run away.
+    """Return the warm-up of every bearing at every speed, also where temperatures run away.
 
     Raises
     ------
-    TooCostly : that takes more time than is allowed
+    TooCostly : it takes more time than allowed
     """
     heat = scene.conditions.heat_flow
     assert heat is not None, "a fault of the case"
-    begin, speed = _begin(scene, spec, heat.flow), scene.speed
+    begin, speed = _initial(scene, spec, heat.flow), scene.speed
     surroundings_at = over_time(spec, heat.flow)
 
     def run(steps: int) -> Warming:
@@ -38,19 +38,20 @@ def answer(scene: Scene, spec: WarmUpSpec) -> WarmUpResult:
         machine = scene.warm(speed), speed, scene.spindle, heat.flow
         return warming(*machine, begin, surroundings_at, spec.duration, steps, _watch(scene, steps))
 
-    steps, found = STEPS, run(STEPS)
+    steps, fine = STEPS, run(STEPS)
     while True:
-        before, steps = found, 2 * steps
-        found = run(steps)
-        through, coarse = (np.array(each.ending) == "" for each in (found, before))
-        gaps = np.abs(found.temperature[through, ::2] - before.temperature[through])
-        error = float(np.nanmax(gaps, initial=0.0))  # what runs away leaves any bound
-        end, coarse_end = (each.time[each.last] for each in (found, before))
-        settled = (through == coarse) & (np.abs(end - coarse_end) <= NEAR * end)
-        if (error <= ENOUGH and settled.all()) or steps >= MOST_STEPS:
+        coarse, steps = fine, 2 * steps
+        fine = run(steps)
+        through, coarse_through = (np.array(history.ending) == "" for history in (fine, coarse))
+        # the finer run has every instant of the coarser one
+        change = np.abs(fine.temperature[through, ::2] - coarse.temperature[through])
+        error = float(np.nanmax(change, initial=0.0))  # runaway has no bound
+        end, coarse_end = (history.time[history.last] for history in (fine, coarse))
+        converged = (through == coarse_through) & (np.abs(end - coarse_end) <= NEAR * end)
+        if (error <= ENOUGH and converged.all()) or steps >= MOST_STEPS:
             break
     error = error if through.any() else math.nan
-    return _result(scene, found, error, surroundings_at)
+    return _result(scene, fine, error, surroundings_at)
 
 
 def _watch(scene: Scene, steps: int) -> Callable[[int], None]:
@@ -61,7 +62,7 @@ def _watch(scene: Scene, steps: int) -> Callable[[int], None]:
     return watch
 
 
-def _begin(scene: Scene, spec: WarmUpSpec, flow: Flow) -> Begin:
+def _initial(scene: Scene, spec: WarmUpSpec, flow: Flow) -> Begin:
     at = cold(flow) if spec.start is None else np.full(3, spec.start)
     capacity = [
         [spec.balls or ball_capacity(seat.bearing), spec.inner, spec.outer]
@@ -71,72 +72,72 @@ def _begin(scene: Scene, spec: WarmUpSpec, flow: Flow) -> Begin:
 
 
 def over_time(spec: WarmUpSpec, flow: Flow) -> SurroundingsAt:
-    """Temperatures of shaft, housing and oil: what shaft and housing have left of their way from
-    the start falls to 1/e in each time constant."""
-    end = flow.surroundings
+    """Return temperatures of shaft, housing and oil over time: the difference of shaft and housing
+    from their final temperatures falls to 1/e in each time constant."""
+    final = flow.surroundings
 
-    def on_the_way(last: float, constant: float | None, time: float) -> float:
+    def approach(last: float, constant: float | None, time: float) -> float:
         if constant is None:
             return last
         assert spec.start is not None, "a fault of the case"
         return last + (spec.start - last) * math.exp(-time / constant)
 
     def at(time: float) -> Surroundings:
-        shaft = on_the_way(end.shaft, spec.shaft_time_constant, time)
+        shaft = approach(final.shaft, spec.shaft_time_constant, time)
         return Surroundings(
-            shaft, on_the_way(end.housing, spec.housing_time_constant, time), end.oil
+            shaft, approach(final.housing, spec.housing_time_constant, time), final.oil
         )
 
     return at
 
 
 def ball_capacity(bearing: BallBearing) -> float:
-    """Heat capacity of all balls by their mass [J/K]."""
+    """Return the heat capacity of all balls [J/K], by their mass."""
     density = bearing.ball_material.density
     mass = bearing.balls * density * math.pi / 6.0 * bearing.ball_diameter**3
     return mass * (CERAMIC if density < LIGHT else STEEL)
 
 
 def _result(
-    scene: Scene, found: Warming, error: float, surroundings_at: SurroundingsAt
+    scene: Scene, run: Warming, error: float, surroundings_at: SurroundingsAt
 ) -> WarmUpResult:
     seats = scene.spindle.seats
-    none = np.isnan(found.load[:, 0, 0]).tolist()
-    size = np.abs(found.load)
+    lost = np.isnan(run.load[:, 0, 0]).tolist()
+    size = np.abs(run.load)
     place = np.nan_to_num(size, nan=-1.0).argmax(axis=1)
     largest = np.take_along_axis(size, place[:, None], axis=1)[:, 0]
     balance, last = scene.heat_balance, scene.unloaded
-    words = [hot or why for hot, why in zip(balance.outcome, last.outcome, strict=True)]
-    known = np.array([word == "" for word in words])[:, None]
+    causes = [hot or why for hot, why in zip(balance.outcome, last.outcome, strict=True)]
+    balanced = np.array([word == "" for word in causes])[:, None]
     reached = [balance.temperatures.bearings[seat.name] for seat in seats]
     steady = {
-        f"steady_{name}_temperature": np.where(known, np.array(values).T, np.nan)
+        f"steady_{name}_temperature": np.where(balanced, np.array(values).T, np.nan)
         for name, values in (
-            ("ball", [each.balls for each in reached]),
-            ("inner", [each.inner_ring for each in reached]),
-            ("outer", [each.outer_ring for each in reached]),
+            ("ball", [part.balls for part in reached]),
+            ("inner", [part.inner_ring for part in reached]),
+            ("outer", [part.outer_ring for part in reached]),
         )
     }
-    balls, inner, outer = np.moveaxis(found.temperature, -1, 0)
-    shaft, housing, _ = np.array([surroundings_at(t) for t in found.time.tolist()]).T
+    balls, inner, outer = np.moveaxis(run.temperature, -1, 0)
+    shaft, housing, _ = np.array([surroundings_at(t) for t in run.time.tolist()]).T
     return WarmUpResult(
         speed=scene.speed,
-        time=found.time,
+        time=run.time,
         bearing=tuple(seat.name for seat in seats),
-        outcome=tuple(word if gone else "" for word, gone in zip(found.ending, none, strict=True)),
-        ended=found.time[found.last],
-        ending=found.ending,
-        axial_load=found.load,
+        outcome=tuple(word if gone else "" for word, gone in zip(run.ending, lost, strict=True)),
+        ended=run.time[run.last],
+        ending=run.ending,
+        axial_load=run.load,
         ball_temperature=balls,
         inner_temperature=inner,
         outer_temperature=outer,
         shaft_temperature=shaft,
         housing_temperature=housing,
-        heat=found.heat,
+        heat=run.heat,
         largest_load=largest,
-        largest_time=np.where(np.isnan(largest), np.nan, found.time[place]),
-        steady_load=np.where(known, last.seat_load(), np.nan),
+        largest_time=np.where(np.isnan(largest), np.nan, run.time[place]),
+        steady_load=np.where(balanced, last.seat_load(), np.nan),
         **steady,
-        unbalanced=tuple(words),
+        unbalanced=tuple(causes),
         error=error,
     )

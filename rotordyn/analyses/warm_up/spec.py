@@ -1,4 +1,4 @@
-"""What a case asks of the warming of bearings over time (SI; °C, J/K)."""
+"""Description of an analysis of the warm-up of bearings over time (SI; °C, J/K)."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from rotordyn.scene.spec import Setting, Spec
 class WarmUpSpec(Spec):
     """Temperatures and preload over time, the spindle turning at each speed from the start on.
 
-    Heat and what it flows off through are those of `heat_flow` in the conditions; oil keeps its
-    temperature there, and so do shaft and housing, or they come to it in their own time.
+    Heat and its flow are those of `heat_flow` in the conditions; oil has its temperature there, and
+    so have shaft and housing, or they approach it with time constants.
     """
 
     duration: Annotated[Duration, "length of time that is computed"]

@@ -1,4 +1,4 @@
-"""The warming in a few lines of text."""
+"""Lines of text, warnings and headline numbers of a warm-up."""
 
 from __future__ import annotations
 
@@ -13,20 +13,20 @@ from rotordyn.results.headline import Number, each_speed
 from rotordyn.results.kinds import Array
 from rotordyn.results.text import unbroken
 
-OVERSHOOT = 1.2  # of the load at the end, from which the largest one is worth a word
-EARLY = 0.02  # of a load, or of the way of a temperature: closer to balance, it is reached
+OVERSHOOT = 1.2  # times the load at the end: a larger maximum is reported
+EARLY = 0.02  # of a load, or the rise of a temperature: tolerance of thermal balance
 
 
 def summary(result: WarmUpResult) -> list[str]:
-    """Axial loads at the start, at most and at the end at the first and the last speed, and the
-    hottest part."""
+    """Return lines of axial loads at the start, at the maximum and at the end, and of the hottest
+    part, at the first and the last speed."""
     lines = []
     for row in sorted({0, len(result.speed) - 1}):
         if result.outcome[row]:
             continue
         last, load = _last(result, row), result.axial_load[row]
         most = np.searchsorted(result.time, result.largest_time[row])
-        words = ", ".join(
+        loads = ", ".join(
             unbroken(
                 f"{name} {load[0, k]:.0f} → {load[most[k], k]:.0f} "
                 f"({in_words(result.largest_time[row, k])}) → {load[last, k]:.0f}"
@@ -35,7 +35,7 @@ def summary(result: WarmUpResult) -> list[str]:
         )
         lines.append(
             f"warm-up    at {_rpm(result, row)}, axial load [N] at the start, largest, after "
-            f"{in_words(result.time[last])}: {words}"
+            f"{in_words(result.time[last])}: {loads}"
         )
         lines.append(f"           {_hottest(result, row)}")
     return lines
@@ -46,14 +46,14 @@ def _last(result: WarmUpResult, row: int) -> int:
 
 
 def in_words(seconds: float) -> str:
-    """A time in words."""
+    """Format a time in s, min or h."""
     if seconds < 60.0:
         return f"{seconds:.3g} s"
     return f"{seconds / 60.0:.3g} min" if seconds < 7200.0 else f"{seconds / 3600.0:.3g} h"
 
 
 def _hottest(result: WarmUpResult, row: int) -> str:
-    """The hottest part at a speed, where and when."""
+    """Return text of the hottest part at a speed, its bearing and time."""
     parts = {name: values[row] for name, (values, _) in _parts(result).items()}
     part = max(parts, key=lambda name: float(np.nanmax(parts[name])))
     values = parts[part]
@@ -65,7 +65,7 @@ def _hottest(result: WarmUpResult, row: int) -> str:
 
 
 def _parts(result: WarmUpResult) -> dict[str, tuple[Array, Array]]:
-    """Temperatures over time of the parts of a bearing, and those in balance."""
+    """Return temperatures of the parts of bearings over time, and in balance."""
     return {
         "balls": (result.ball_temperature, result.steady_ball_temperature),
         "inner ring": (result.inner_temperature, result.steady_inner_temperature),
@@ -78,13 +78,13 @@ def _rpm(result: WarmUpResult, row: int) -> str:
 
 
 def numbers(result: WarmUpResult, _: Described) -> Iterator[Number]:
-    """Largest axial load over speed, for each bearing."""
+    """Yield the largest axial load over speed, for each bearing."""
     for k, name in enumerate(result.bearing):
         yield from each_speed(result, "load", "N", result.largest_load[:, k], part=name)
 
 
 def accuracy(result: WarmUpResult) -> list[str]:
-    """How far the steps of time move temperatures, where they are followed to the end."""
+    """Return the line of the error of temperatures by time steps, at speeds solved to the end."""
     if np.isnan(result.error):
         return []
     where = " at speeds followed to the end" * any(result.ending)
@@ -92,7 +92,7 @@ def accuracy(result: WarmUpResult) -> list[str]:
 
 
 def warnings(result: WarmUpResult) -> Iterator[str]:
-    """Where it ends early, steps too long, and loads on the way that the end does not show."""
+    """Yield warnings of early ends, long steps, load maxima and missing thermal balance."""
     for row, why in enumerate(result.ending):
         if why and not result.outcome[row]:
             yield f"at {_rpm(result, row)} {why}"
@@ -101,13 +101,13 @@ def warnings(result: WarmUpResult) -> Iterator[str]:
             f"the shortest steps of time still move temperatures by {result.error:.2g} K, and "
             "loads with them: take a shorter duration"
         )
-    yield from _on_the_way(result)
+    yield from _overshoot(result)
     yield from _unbalanced(result)
     yield from _still_warming(result)
 
 
 def _unbalanced(result: WarmUpResult) -> Iterator[str]:
-    """Speeds that are followed to the end, and have no balance to come to."""
+    """Yield warnings of speeds solved to the end that have no thermal balance."""
     for row, why in enumerate(result.unbalanced):
         if why and not result.ending[row]:
             yield (
@@ -117,34 +117,34 @@ def _unbalanced(result: WarmUpResult) -> Iterator[str]:
 
 
 def _still_warming(result: WarmUpResult) -> Iterator[str]:
-    """The load that is farthest from balance in the end, else the temperature."""
+    """Yield a warning of the load farthest from balance at the end, or else the temperature."""
     end, steady = result.axial_load[:, -1], result.steady_load
-    late = _share(np.abs(end - steady), np.fmax(np.abs(end), np.abs(steady)))
-    if late.max(initial=0.0) > EARLY:
-        row, k = (int(place) for place in np.unravel_index(int(late.argmax()), late.shape))
+    ratio = _share(np.abs(end - steady), np.fmax(np.abs(end), np.abs(steady)))
+    if ratio.max(initial=0.0) > EARLY:
+        row, k = (int(place) for place in np.unravel_index(int(ratio.argmax()), ratio.shape))
         what = f"{end[row, k]:.0f} N at {_rpm(result, row)}, {steady[row, k]:.0f} N in balance"
     else:
         values, balance = (np.stack(each) for each in zip(*_parts(result).values(), strict=True))
         end = values[:, :, -1]
-        left, way = np.abs(balance - end), np.abs(balance - values[:, :, 0])
-        late = np.where(left > ENOUGH, _share(left, way), 0.0)
-        if late.max(initial=0.0) <= EARLY:
+        remaining, rise = np.abs(balance - end), np.abs(balance - values[:, :, 0])
+        ratio = np.where(remaining > ENOUGH, _share(remaining, rise), 0.0)
+        if ratio.max(initial=0.0) <= EARLY:
             return
-        part, row, k = (int(place) for place in np.unravel_index(int(late.argmax()), late.shape))
+        part, row, k = (int(place) for place in np.unravel_index(int(ratio.argmax()), ratio.shape))
         what = (
             f"{[*_parts(result)][part]} {end[part, row, k]:.0f} °C at {_rpm(result, row)}, "
             f"{balance[part, row, k]:.0f} °C in balance"
         )
-        if left[part, row, k] < way[part, row, k]:
-            what += f", {100.0 * late[part, row, k]:.0f} % of the way still to come"
+        if remaining[part, row, k] < rise[part, row, k]:
+            what += f", {100.0 * ratio[part, row, k]:.0f} % of the way still to come"
     yield (
         f"bearing {result.bearing[k]} is still warming up at the end: {what}; take a longer "
         "duration"
     )
 
 
-def _on_the_way(result: WarmUpResult) -> Iterator[str]:
-    """Loads while the spindle warms up that are larger than those in the end."""
+def _overshoot(result: WarmUpResult) -> Iterator[str]:
+    """Yield a warning of load maxima during warm-up above those at the end."""
     rows = np.arange(len(result.speed))
     last = [_last(result, int(row)) for row in rows]
     end = np.where(np.array(result.ending)[:, None] == "", result.axial_load[rows, last], np.nan)
@@ -166,6 +166,6 @@ def _on_the_way(result: WarmUpResult) -> Iterator[str]:
 
 
 def _share(part: Array, whole: Array) -> Array:
-    """Of sizes (…, speeds, bearings); 0 where one is not known, or the whole is nothing."""
-    known = np.isfinite(part) & (whole > 0.0)
-    return np.divide(part, whole, out=np.zeros_like(part), where=known)
+    """Return the ratio of sizes (…, speeds, bearings); 0 where one is NaN, or ``whole`` is 0."""
+    valid = np.isfinite(part) & (whole > 0.0)
+    return np.divide(part, whole, out=np.zeros_like(part), where=valid)

@@ -1,4 +1,4 @@
-"""How its result is laid out in tables."""
+"""Tables of a warm-up."""
 
 from __future__ import annotations
 

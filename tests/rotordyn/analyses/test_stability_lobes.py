@@ -1210,5 +1210,5 @@ def test_a_limit_that_only_a_finer_model_has_is_told():
     assert accuracy(result) == ["limits not known by modes up to 4000 Hz"]
     (told,) = warnings(result)
     assert "limits still change from none or to none with modes above 4000 Hz" in told
-    assert converged._apart(0.0, 1e-3) == converged._apart(1e-3, math.inf) == math.inf
-    assert converged._apart(0.0, 0.0) == converged._apart(math.inf, math.inf) == 0.0
+    assert converged._difference(0.0, 1e-3) == converged._difference(1e-3, math.inf) == math.inf
+    assert converged._difference(0.0, 0.0) == converged._difference(math.inf, math.inf) == 0.0

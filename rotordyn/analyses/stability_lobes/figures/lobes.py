@@ -44,8 +44,8 @@ ROW = 3.6  # [mm] of a line below the figure
 
 
 def lobes_figure(result: StabilityLobesResult, spec: StabilityLobesSpec) -> Figure:
-    """Limit over speed with that at rest; removal rate and the frequency at which teeth pass as
-    second axes; below the chatter frequency and the mode next to it, and a list of pockets."""
+    """Draw the limit over speed and that at rest, with removal rate and tooth passing frequency as
+    second axes; below, chatter frequency and nearest mode, and a list of pockets."""
     rpm = result.cutting_speed * RPM.factor
     lines = len(rpm) >= LEAST_SPEEDS
     marked = _marked(result)
@@ -53,9 +53,9 @@ def lobes_figure(result: StabilityLobesResult, spec: StabilityLobesSpec) -> Figu
     figure = new_figure(168.0, 128.0 + foot)
     upper = add_axes(figure, (15.0, 47.0 + foot, 135.0, 66.0), "", "depth of cut [mm]")
     lower = add_axes(figure, (15.0, 11.0 + foot, 135.0, 30.0), "speed [rpm]", "chatter [Hz]")
-    depth, rest = (each * MILLIMETRE.factor for each in (result.depth, result.at_rest))
+    depth, at_rest = (limit * MILLIMETRE.factor for limit in (result.depth, result.at_rest))
     tested, even = result.measured * MILLIMETRE.factor, result.even * MILLIMETRE.factor
-    top = _height([depth, rest, tested, even])
+    top = _height([depth, at_rest, tested, even])
     if banded(result):
         _band(upper, result, rpm, top, lines=lines)
     if lines:
@@ -64,7 +64,7 @@ def lobes_figure(result: StabilityLobesResult, spec: StabilityLobesSpec) -> Figu
     upper.set_ylim(0.0, top)
     draw = partial(_draw, upper, rpm, lines=lines)
     draw(depth, "at every speed's own receptance", {}, color=BLUE, lw=1.2)
-    draw(rest, "by the receptance at rest", {"marker": "x"}, color=GREY, lw=1.0, ls="--")
+    draw(at_rest, "by the receptance at rest", {"marker": "x"}, color=GREY, lw=1.0, ls="--")
     if np.isfinite(tested).any():
         marks = {"marker": "+", "ms": 4.5}
         draw(tested, MEASURED, marks, color=BLACK, lw=1.0, ls=":")
@@ -79,13 +79,13 @@ def lobes_figure(result: StabilityLobesResult, spec: StabilityLobesSpec) -> Figu
         shown = np.where(np.array(result.loss) == kind, depth, np.nan)
         if not np.isnan(shown).all():
             draw(shown, REPEATING[kind], {}, color=colour, lw=2.0, ls=line)
-    if not lines and any((each > top).any() for each in (depth, rest, tested, even)):
+    if not lines and any((limit > top).any() for limit in (depth, at_rest, tested, even)):
         upper.plot([], [], "^", color=GREY, ms=SIZE, mfc="none", label="deeper than drawn")
     upper.tick_params(labelbottom=False)
     _pockets(upper, result, marked, top)
-    _list(figure, result, marked)
-    _removal(upper, result, float(rpm[-1]))
-    _passing(upper, spec)
+    _pocket_list(figure, result, marked)
+    _removal_axis(upper, result, float(rpm[-1]))
+    _passing_axis(upper, spec)
     lower.plot(rpm, result.chatter, ".", ms=2.5, color=BLUE, label="chatter")
     lower.plot(rpm, result.mode_frequency, "_", ms=2.5, color=GREY, label="nearest mode")
     lower.set_ylim(0.0, float(np.nanmax(result.chatter, initial=1.0)) * ROOM)
@@ -105,8 +105,8 @@ def _draw(
     lines: bool,
     **look: Any,
 ) -> None:
-    """Depths as a line that leaves the frame, which the legend says where all of it is above, or
-    as ``marks``, filled where none are given; those above it then as triangles at its edge."""
+    """Draw depths as a line that may leave the frame, with a note in the legend if all of it is
+    above, or as ``marks``, filled if empty; depths above the frame are triangles at its edge."""
     top = axes.get_ylim()[1]
     if lines:
         above = "" if (depth <= top).any() else ": deeper than drawn"
@@ -124,8 +124,8 @@ def _clipped(depth: Array, top: float) -> Array:
 
 
 def _band(axes: Axes, result: StabilityLobesResult, rpm: Array, top: float, *, lines: bool) -> None:
-    """Limits over the intervals of the case and the sources, as lines at single speeds."""
-    low, high = (_clipped(each * MILLIMETRE.factor, top) for each in (result.least, result.most))
+    """Draw the band over intervals and sources: an area, or vertical lines at single speeds."""
+    low, high = (_clipped(limit * MILLIMETRE.factor, top) for limit in (result.least, result.most))
     look: dict[str, Any] = {"color": GREY, "label": "band of intervals and sources"}
     if lines:
         axes.fill_between(rpm, low, high, alpha=0.25, lw=0.0, **look)
@@ -134,16 +134,16 @@ def _band(axes: Axes, result: StabilityLobesResult, rpm: Array, top: float, *, l
 
 
 def _marked(result: StabilityLobesResult) -> list[int]:
-    """The deepest pockets by their speed."""
+    """Return the deepest pockets in order of speed."""
     return sorted(range(len(result.pocket))[:MARKED], key=lambda k: float(result.pocket_speed[k]))
 
 
 def _pockets(axes: Axes, result: StabilityLobesResult, marked: Sequence[int], top: float) -> None:
-    """The ``marked`` pockets over the speeds that hold 80 % of them; numbered unless the number of
-    a deeper one is there."""
+    """Draw the ``marked`` pockets over the speeds that keep 80 % of their depth, numbered unless
+    the number of a deeper one is too near."""
     first, last = (float(result.cutting_speed[row]) for row in (0, -1))
     span, numbered = last - axis_start(first, last), list[float]()
-    for number, k in sorted(enumerate(marked, start=1), key=lambda each: each[1]):
+    for number, k in sorted(enumerate(marked, start=1), key=lambda pair: pair[1]):
         depth = min(result.pocket_depth[k] * MILLIMETRE.factor, 0.97 * top)
         ends = np.array([result.pocket_from[k], result.pocket_to[k]]) * RPM.factor
         axes.plot(ends, [KEPT * depth] * 2, color=BLACK, lw=1.0, marker="|", ms=4.0)
@@ -170,8 +170,8 @@ def _pockets(axes: Axes, result: StabilityLobesResult, marked: Sequence[int], to
         )
 
 
-def _list(figure: Figure, result: StabilityLobesResult, marked: Sequence[int]) -> None:
-    """Speed and removal rate of the ``marked`` pockets at the foot of the figure."""
+def _pocket_list(figure: Figure, result: StabilityLobesResult, marked: Sequence[int]) -> None:
+    """Write speed and removal rate of the ``marked`` pockets at the foot of the figure."""
     if not marked:
         return
     width, height = figure.get_size_inches() * 25.4
@@ -181,26 +181,26 @@ def _list(figure: Figure, result: StabilityLobesResult, marked: Sequence[int]) -
     figure.text(15.0 / width, (1.5 + ROW * rows) / height, head, **look)
     for number, k in enumerate(marked, start=1):
         row, column = (number - 1) % rows, (number - 1) // rows
-        low, own, high = (
-            float(each[k]) * RPM.factor
-            for each in (result.pocket_from, result.pocket_speed, result.pocket_to)
+        low, top, high = (
+            float(speeds[k]) * RPM.factor
+            for speeds in (result.pocket_from, result.pocket_speed, result.pocket_to)
         )
         rate = result.pocket_removal[k] * REMOVAL.factor
-        words = f"{number}: {own:.0f} rpm, {rate:.0f} {REMOVAL.unit}, from {low:.0f} to {high:.0f}"
+        text = f"{number}: {top:.0f} rpm, {rate:.0f} {REMOVAL.unit}, from {low:.0f} to {high:.0f}"
         at = (15.0 + 70.0 * column) / width, (1.5 + ROW * (rows - 1 - row)) / height
-        figure.text(*at, f"{words} rpm", **look)
+        figure.text(*at, f"{text} rpm", **look)
 
 
 def _height(depths: Sequence[Array]) -> float:
-    """Highest depth drawn [mm]."""
-    known = np.concatenate([each[np.isfinite(each) & (each > 0.0)] for each in depths])
-    if not known.size:
+    """Return the highest depth drawn [mm]."""
+    finite = np.concatenate([depth[np.isfinite(depth) & (depth > 0.0)] for depth in depths])
+    if not finite.size:
         return 1.0
-    return float(min(ROOM * known.max(), HIGH * np.median(known)))
+    return float(min(ROOM * finite.max(), HIGH * np.median(finite)))
 
 
-def _passing(axes: Axes, spec: StabilityLobesSpec) -> None:
-    """A second axis: the frequency at which teeth pass, and what is cut with what."""
+def _passing_axis(axes: Axes, spec: StabilityLobesSpec) -> None:
+    """Add a second axis of the tooth passing frequency, its label with cutter and workpiece."""
     scale = (1 if spec.turning else spec.teeth) / 60.0
 
     def hertz(rpm: Any) -> Any:
@@ -209,29 +209,29 @@ def _passing(axes: Axes, spec: StabilityLobesSpec) -> None:
     def rpm(hertz: Any) -> Any:
         return hertz / scale
 
-    other = axes.secondary_xaxis("top", functions=(hertz, rpm))
+    second = axes.secondary_xaxis("top", functions=(hertz, rpm))
     assert spec.diameter is not None, "of the tool, where the case gives none"
     size = f"{spec.diameter * MILLIMETRE.factor:.4g} mm"
-    said = f"turning of {size}: revolutions by second [Hz]"
+    label = f"turning of {size}: revolutions by second [Hz]"
     if not spec.turning:
         how = "slot" if spec.milling == "slot" else f"{spec.milling} {spec.immersion:.0%}"
         teeth = f"{spec.teeth} uneven teeth" if spec.uneven else f"{spec.teeth} teeth"
-        what = f"{teeth} on {size}, {how}, {spec.pairs[0][0] / 1e6:.0f} MPa"
-        said = f"{what}: a tooth passes at [Hz]"
-    other.set_xlabel(said, fontsize=FONT_SIZE)
-    other.tick_params(labelsize=FONT_SIZE)
+        cutter = f"{teeth} on {size}, {how}, {spec.pairs[0][0] / 1e6:.0f} MPa"
+        label = f"{cutter}: a tooth passes at [Hz]"
+    second.set_xlabel(label, fontsize=FONT_SIZE)
+    second.tick_params(labelsize=FONT_SIZE)
 
 
-def _removal(axes: Axes, result: StabilityLobesResult, last: float) -> None:
-    """A second axis: removal rate of a depth at the highest speed."""
-    known = np.isfinite(result.removal) & (result.depth > 0.0) & np.isfinite(result.depth)
-    if not known.any():
+def _removal_axis(axes: Axes, result: StabilityLobesResult, last: float) -> None:
+    """Add a second axis of the removal rate of a depth at the highest speed."""
+    finite = np.isfinite(result.removal) & (result.depth > 0.0) & np.isfinite(result.depth)
+    if not finite.any():
         return
-    row = int(np.flatnonzero(known)[-1])
+    row = int(np.flatnonzero(finite)[-1])
     per_depth = result.removal[row] / result.depth[row] / result.cutting_speed[row]
     scale = per_depth * last / RPM.factor * REMOVAL.factor / MILLIMETRE.factor
-    other = axes.secondary_yaxis(
+    second = axes.secondary_yaxis(
         "right", functions=(lambda mm: mm * scale, lambda rate: rate / scale)
     )
-    other.set_ylabel(f"removal rate at {last:.0f} rpm [{REMOVAL.unit}]", fontsize=FONT_SIZE)
-    other.tick_params(labelsize=FONT_SIZE)
+    second.set_ylabel(f"removal rate at {last:.0f} rpm [{REMOVAL.unit}]", fontsize=FONT_SIZE)
+    second.tick_params(labelsize=FONT_SIZE)

@@ -1,4 +1,4 @@
-"""The error of the milled surface, the vibration of the tip and the forces over speed."""
+"""Figure of the error of the milled surface and the vibration of the tip over speed."""
 
 from __future__ import annotations
 
@@ -42,8 +42,8 @@ SIZE = 3.0  # of marks
 
 
 def surface_figure(result: StabilityLobesResult) -> Figure:
-    """Errors of every wall between least and largest over its depth; below the vibration of the
-    tip from peak to peak. Speeds at which the cut is not stable, or not solved, are shaded."""
+    """Draw the errors of every wall from least to largest over its depth; below, the peak-to-peak
+    vibration of the tip. Speeds at which the cut is not stable, or not solved, are shaded."""
     rpm = result.milling_speed * RPM.factor
     lines = len(rpm) >= LEAST_SPEEDS
     figure = new_figure(168.0, 106.0)
@@ -52,20 +52,20 @@ def surface_figure(result: StabilityLobesResult) -> Figure:
     upper.axhline(0.0, color=GREY, lw=0.6)
     for k, wall in enumerate(result.wall):
         least, most = (
-            each[:, k] * MICROMETRE.factor
-            for each in (result.surface_error_least, result.surface_error_most)
+            error[:, k] * MICROMETRE.factor
+            for error in (result.surface_error_least, result.surface_error_most)
         )
-        _between(upper, rpm, least, most, f"{wall}-milled wall", WALLS[k], lines=lines)
-    for k, way in enumerate(result.direction):
-        swing = result.tip_vibration[:, k] * MICROMETRE.factor
-        _draw(lower, rpm, swing, f"vibration in {way}, peak to peak", WAYS[k], lines=lines)
+        _draw_range(upper, rpm, least, most, f"{wall}-milled wall", WALLS[k], lines=lines)
+    for k, direction in enumerate(result.direction):
+        motion = result.tip_vibration[:, k] * MICROMETRE.factor
+        _draw(lower, rpm, motion, f"vibration in {direction}, peak to peak", WAYS[k], lines=lines)
     lower.set_ylim(0.0, None)
     upper.tick_params(labelbottom=False)
     for axes in (upper, lower):
-        _unstable(axes, rpm, ~result.cut_is_stable)
+        _shade_unstable(axes, rpm, ~result.cut_is_stable)
         speed_ticks(axes, float(rpm[-1]), low=axis_start(float(rpm[0]), float(rpm[-1])))
     top_legend(figure, upper, lower)
-    depth, feed = (each * MILLIMETRE.factor for each in (result.planned_depth, result.planned_feed))
+    depth, feed = (size * MILLIMETRE.factor for size in (result.planned_depth, result.planned_feed))
     force = float(np.nanmax(result.cutting_force))
     return head(
         figure,
@@ -74,10 +74,10 @@ def surface_figure(result: StabilityLobesResult) -> Figure:
     )
 
 
-def _between(
+def _draw_range(
     axes: Axes, rpm: Array, least: Array, most: Array, label: str, look: Look, *, lines: bool
 ) -> None:
-    """What varies over the depth of a wall, its largest amounts as a line or as marks."""
+    """Draw a range over the depth of a wall, its largest amounts as a line or as marks."""
     if np.nanmax(most - least) > 0.0:
         if lines:
             axes.fill_between(rpm, least, most, color=look["color"], alpha=0.2, lw=0.0)
@@ -93,8 +93,8 @@ def _draw(axes: Axes, rpm: Array, y: Array, label: str, look: Look, *, lines: bo
         axes.plot(rpm, y, look["marker"], color=look["color"], ms=SIZE, label=label)
 
 
-def _unstable(axes: Axes, rpm: Array, lost: NDArray[np.bool_]) -> None:
-    """Shade speeds at which the cut is not stable or not solved, half way to their neighbours."""
+def _shade_unstable(axes: Axes, rpm: Array, lost: NDArray[np.bool_]) -> None:
+    """Shade speeds at which the cut is not stable or not solved, halfway to adjacent speeds."""
     edges = np.concatenate([rpm[:1], 0.5 * (rpm[1:] + rpm[:-1]), rpm[-1:]])
     label: str | None = "cut not stable, or not solved"
     for row in np.flatnonzero(lost):

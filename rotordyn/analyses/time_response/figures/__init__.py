@@ -1,4 +1,4 @@
-"""Figures: response over time."""
+"""Figures of the response over time."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ from rotordyn.results.headline import Curve
 code = partial(Code, __name__)
 
 MOST_POINTS = 3
-LINE = 0.05  # of the way along one axis: a path that is no wider along the other is a line
+LINE = 0.05  # of the longer side of a path: one that is no wider along the other is a line
 
 
 def figures(_: Described, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
-    """The figures of a result, where some speed has an answer."""
+    """Yield the figures of a result, if some speed has a motion."""
     if not (result.ended > 0.0).any():
         return
     yield "time_response", partial(code("histories:motion_figure"), result)
-    if _runs_round(result):
+    if _has_orbit(result):
         yield "time_response_orbits", partial(code("histories:orbit_figure"), result)
     if result.bearing:
         yield "time_response_bearings", partial(code("histories:bearing_figure"), result)
@@ -33,15 +33,15 @@ def figures(_: Described, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
         yield "time_response_stops", partial(code("histories:stop_figure"), result)
 
 
-def _runs_round(result: Any) -> bool:
-    """Whether the path of some point across the axis is more than a line."""
+def _has_orbit(result: Any) -> bool:
+    """Return whether the path of some point across the axis is more than a line."""
     x, *across = np.moveaxis(np.nan_to_num(np.abs(result.displacement)).max(axis=1), -1, 0)
-    thin, wide = np.sort(across, axis=0)  # beside a way along the shaft, they may be rounding
+    thin, wide = np.sort(across, axis=0)  # next to motion along the shaft, they may be rounding
     return bool(((thin > LINE * wide) & (wide > 1e-9 * x)).any())
 
 
 def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
-    """Displacement of the first points along y and z at the highest speed."""
+    """Yield displacement of the first points along y and z at the highest speed."""
     result = variant.result
     rpm = f"{result.speed[-1] * RPM.factor:.0f} rpm"
     for k, point in enumerate(result.point[:MOST_POINTS]):

@@ -1,4 +1,4 @@
-"""Figures: steady response to unbalance."""
+"""Figures of the response to unbalance."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ code = partial(Code, __name__)
 
 MOST_POINTS = 3
 MOST_RUNS = 4
-SEEN = 1e-6  # of the largest orbit: less, next to rest, would stretch the axis
+SEEN = 1e-6  # of the largest orbit: smaller orbits, near rest, would stretch the axis
 
 
 def figures(_: Described, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
-    """The figures of a result."""
+    """Yield the figures of a result."""
     determined = np.isfinite(result.fine_force_amplitude).any()
     if result.speed[-1] > 0.0:
         yield "unbalance", partial(code("response:response_figure"), result)
@@ -35,17 +35,17 @@ def figures(_: Described, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
 
 
 def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
-    """Major half axis of the orbit of the first points, in steady rotation and on the first runs,
-    of these each in a panel of its own."""
+    """Yield major half axes of orbits of the first points, in steady rotation and on the first
+    runs, each run in its own panel."""
     result = variant.result
     if result.speed[-1] > 0.0:
-        how = {"figure": "unbalance", "along": "fine_speed", "panels": "point"}
-        for curve in islice(curves_of(result, "fine_major_axis", **how), MOST_POINTS):
+        options = {"figure": "unbalance", "along": "fine_speed", "panels": "point"}
+        for curve in islice(curves_of(result, "fine_major_axis", **options), MOST_POINTS):
             yield _orbit(curve._replace(title=f"{curve.panel}, major half axis, zero to peak"))
     runs = result.run[:MOST_RUNS]
     points = result.point[: max(1, MOST_POINTS // max(len(runs), 1))]
-    how = {"figure": "unbalance_runs", "along": "run_speed", "panels": "point", "series": "run"}
-    for curve in curves_of(result, "run_amplitude", **how):
+    options = {"figure": "unbalance_runs", "along": "run_speed", "panels": "point", "series": "run"}
+    for curve in curves_of(result, "run_amplitude", **options):
         if curve.series in runs and curve.panel in points and np.isfinite(curve.y).any():
             name = f"{curve.panel} {curve.series}"
             title = f"{name}, major half axis, zero to peak"
@@ -53,7 +53,7 @@ def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
 
 
 def _orbit(curve: Curve) -> Curve:
-    """The curve without what is next to rest."""
+    """Return the curve without negligible values near rest."""
     largest = np.max(curve.y, where=np.isfinite(curve.y), initial=0.0)
-    seen = np.where(curve.y > SEEN * largest, curve.y, np.nan)
-    return curve._replace(y=seen, label="half axis of the orbit", log=True)
+    shown = np.where(curve.y > SEEN * largest, curve.y, np.nan)
+    return curve._replace(y=shown, label="half axis of the orbit", log=True)

@@ -1,4 +1,4 @@
-"""Response to unbalance over speed: amplitude, phase, shape of the orbit, forces of supports."""
+"""Figures of the response to unbalance: amplitude, phase, shape of orbits, forces of supports."""
 
 from __future__ import annotations
 
@@ -30,15 +30,15 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
-ROUND = 1e-6  # of an orbit: nearer to a circle than that is one
+ROUND = 1e-6  # of an orbit: tolerance of a circle
 DASH = {"y": "-", "z": "--"}
-_LETTER = 0.58 * (FONT_SIZE - 1.5) * 25.4 / 72.0  # [mm] of a name above the panels, on average
+_LETTER = 0.58 * (FONT_SIZE - 1.5) * 25.4 / 72.0  # [mm]: mean width of a letter above the panels
 
 
 def response_figure(result: UnbalanceResult) -> Figure:
-    """Amplitude over phase, and over the shape of the orbits where they are no circles.
+    """Draw amplitude above phase, and above the shape of the orbits where they are no circles.
 
-    A line per point; y and z apart where they differ. Critical speeds are marked.
+    Each point has a line, or one for y and one for z where they differ. Critical speeds are marked.
     """
     ellipses = not round_orbits(result)
     rows = 3 if ellipses else 2
@@ -62,12 +62,12 @@ def response_figure(result: UnbalanceResult) -> Figure:
             amplitude = np.abs(moved[:, column, axis]) * MICROMETRE.factor
             panels[0].plot(*_positive(result, amplitude), **look)
             phase = wrapped_phase(np.degrees(np.angle(moved[:, column, axis])))
-            panels[1].plot(*_turning(result, phase), **look)
+            panels[1].plot(*_rotating(result, phase), **look)
         if ellipses:
             with np.errstate(invalid="ignore", divide="ignore"):
                 ratio = result.fine_minor_axis[:, column] / result.fine_major_axis[:, column]
             panels[2].plot(
-                *_turning(result, ratio), color=CYCLE[column % len(CYCLE)], **marked(column)
+                *_rotating(result, ratio), color=CYCLE[column % len(CYCLE)], **marked(column)
             )
     decades(panels[0])
     phase_axis(panels[1])
@@ -79,7 +79,7 @@ def response_figure(result: UnbalanceResult) -> Figure:
 
 
 def forces_figure(result: UnbalanceResult) -> Figure:
-    """Amplitude of the force of every bearing and support."""
+    """Draw the amplitude of the force of every bearing and support."""
     figure = new_figure(168.0, 88.0)
     axes = _panel(figure, (17.0, 12.0, 145.0, 62.0), "force, zero to peak [N]", result, last=True)
     for column, name in enumerate(result.support):
@@ -91,7 +91,7 @@ def forces_figure(result: UnbalanceResult) -> Figure:
 
 
 def round_orbits(result: UnbalanceResult) -> bool:
-    """True where every orbit is a circle run through forward."""
+    """Return whether every orbit is a circle of forward whirl."""
     gap = result.major_axis - result.minor_axis
     with np.errstate(invalid="ignore"):
         return not bool((gap > ROUND * np.nanmax(result.major_axis)).any())
@@ -105,26 +105,26 @@ def _panel(
     *,
     last: bool,
 ) -> Axes:
-    whose = "speed [rpm]" if result.speed_ratio == 1.0 else "speed of the spindle [rpm]"
-    axes = add_axes(figure, box, whose if last else "", name)
+    label = "speed [rpm]" if result.speed_ratio == 1.0 else "speed of the spindle [rpm]"
+    axes = add_axes(figure, box, label if last else "", name)
     axes.tick_params(labelbottom=last)
     speed_ticks(axes, float(result.speed[-1]) * RPM.factor, 8)
     return axes
 
 
 def _positive(result: UnbalanceResult, values: Array) -> tuple[Array, Array]:
-    """Speeds [rpm] and values, without those that have no logarithm."""
+    """Return speeds [rpm] and values, NaN where they have no logarithm."""
     return result.fine_speed * RPM.factor, np.where(values > 0.0, values, np.nan)
 
 
-def _turning(result: UnbalanceResult, values: Array) -> tuple[Array, Array]:
-    """Speeds [rpm] and values where the shaft turns."""
+def _rotating(result: UnbalanceResult, values: Array) -> tuple[Array, Array]:
+    """Return speeds [rpm] and values, NaN at rest."""
     return result.fine_speed * RPM.factor, np.where(result.fine_speed > 0.0, values, np.nan)
 
 
-def _criticals(panels: Sequence[Axes], result: UnbalanceResult, wide: float) -> float:
-    """A thin line at every critical speed; above the first panel its value in rpm and Hz, and its
-    name where there is room. Returns the height of these words [mm]."""
+def _criticals(panels: Sequence[Axes], result: UnbalanceResult, width: float) -> float:
+    """Draw a thin line at every critical speed; above the first panel its value in rpm and Hz, and
+    its name where there is room. Return the height of these labels [mm]."""
     rpm = result.critical_speed * RPM.factor
     hertz = rpm / 60.0 * abs(result.speed_ratio)
     for axes in panels:
@@ -134,19 +134,19 @@ def _criticals(panels: Sequence[Axes], result: UnbalanceResult, wide: float) -> 
     if not rpm.size:
         return 0.0
     values = list(zip(result.critical, rpm.tolist(), hertz.tolist(), strict=True))
-    long = [f"{shortened(n, 20)}\n{s:.0f} rpm\n{number(f)} Hz" for n, s, f in values]
+    full = [f"{shortened(n, 20)}\n{s:.0f} rpm\n{number(f)} Hz" for n, s, f in values]
     short = [f"{s:.0f} rpm\n{number(f)} Hz" for _, s, f in values]
-    bare = [f"{s:.0f}\n{number(f)}" for _, s, f in values]  # too many: units stand at the left
-    words = next((each for each in (long, short) if _wide(each) <= wide), bare)
-    if words is bare:
+    bare = [f"{s:.0f}\n{number(f)}" for _, s, f in values]  # too many: units are at the left
+    labels = next((each for each in (full, short) if _width(each) <= width), bare)
+    if labels is bare:
         look: dict[str, Any] = dict(ha="right", va="bottom", fontsize=FONT_SIZE - 1.5, color=GREY)
         panels[0].annotate(
             "rpm\nHz", (0.0, 1.0), (-8.0, 2.0), "axes fraction", "offset points", **look
         )
-    stations.words_above(panels[0], rpm.tolist(), words, [_wide([word]) for word in words], wide)
-    return 1.0 + 3.0 * (1 + max(word.count("\n") for word in words))
+    stations.words_above(panels[0], rpm.tolist(), labels, [_width([x]) for x in labels], width)
+    return 1.0 + 3.0 * (1 + max(word.count("\n") for word in labels))
 
 
-def _wide(words: Sequence[str]) -> float:
-    """Room that labels in a row need [mm], by the longest line of each."""
+def _width(words: Sequence[str]) -> float:
+    """Return the width of labels in a row [mm], by the longest line of each."""
     return sum(max(map(len, word.split("\n"))) * _LETTER + 2.0 for word in words)

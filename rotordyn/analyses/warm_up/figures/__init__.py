@@ -1,4 +1,4 @@
-"""Figures: axial loads and temperatures over time from the start."""
+"""Figures of a warm-up: axial loads and temperatures over time."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ code = partial(Code, __name__)
 
 
 def figures(_: Described, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
-    """The figures of a result, where some speed has an answer."""
+    """Yield the figures of a result, if some speed has values."""
     if all(result.outcome):
         return
     yield "warm_up", partial(code("over_time:warming_figure"), result)
 
 
 def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
-    """Axial loads over time at the first and last speed."""
+    """Yield axial loads over time at the first and last speed."""
     result, rpm = variant.result, variant.result.speed * RPM.factor
     for row in sorted({0, len(rpm) - 1}):
-        at = f"{rpm[row]:.0f} rpm"
+        panel = f"{rpm[row]:.0f} rpm"
         for k, name in enumerate(result.bearing):
             yield Curve(
                 "warm_up",
@@ -35,7 +35,7 @@ def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
                 result.time / 60.0,
                 result.axial_load[row, :, k],
                 series=name,
-                panel=at,
+                panel=panel,
                 along="time from the start [min]",
-                title=at,
+                title=panel,
             )

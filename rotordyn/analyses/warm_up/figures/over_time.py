@@ -1,4 +1,4 @@
-"""Axial loads and temperatures of every bearing over time from the start."""
+"""Figure of axial loads and temperatures of every bearing over time from the start."""
 
 from __future__ import annotations
 
@@ -32,8 +32,8 @@ BESIDE = {
 
 
 def warming_figure(result: WarmUpResult, speeds: int = 3) -> Figure:
-    """A column at the first, the middle and the last speed: loads, and temperatures; those of shaft
-    and housing where they are on their way."""
+    """Draw loads and temperatures in a column for the first, the middle and the last speed; those
+    of shaft and housing where they change."""
     picked = evenly(result.speed.size, speeds)
     figure = new_figure(168.0, 190.0)
     boxes = grid_boxes(
@@ -42,15 +42,15 @@ def warming_figure(result: WarmUpResult, speeds: int = 3) -> Figure:
     every_field = [getattr(result, field)[picked] for field, _ in ROWS]
     for line, (field, label) in enumerate(ROWS):
         values = getattr(result, field)
-        beside = _beside(result, field)
-        every = np.append(values[picked], beside)
-        low, high = np.nanmin(every, initial=np.inf), np.nanmax(every, initial=0.0)
+        adjacent = _adjacent(result, field)
+        all_values = np.append(values[picked], adjacent)
+        low, high = np.nanmin(all_values, initial=np.inf), np.nanmax(all_values, initial=0.0)
         for place, row in enumerate(picked):
             box, last = boxes[line * len(picked) + place], line == len(ROWS) - 1
             axes = add_axes(figure, box, TIME * last, label * (not place))
             draw_columns(axes, result.time / 60.0, values[row], result.bearing, every_field)
-            if beside.size:
-                _draw_beside(axes, result.time / 60.0, beside, BESIDE[field][1])
+            if adjacent.size:
+                _draw_adjacent(axes, result.time / 60.0, adjacent, BESIDE[field][1])
             axes.set_xlim(0.0, result.time[-1] / 60.0)
             lowest = min(low, high) - 2.0 if line else min(1.05 * low, 0.0)
             axes.set_ylim(lowest, 1.05 * high + 1e-3)
@@ -63,16 +63,16 @@ def warming_figure(result: WarmUpResult, speeds: int = 3) -> Figure:
     return figure
 
 
-def _beside(result: WarmUpResult, field: str) -> Array:
-    """The temperature of what a ring stands on (t,); empty where that stays as it is."""
+def _adjacent(result: WarmUpResult, field: str) -> Array:
+    """Return the temperature of the part adjacent to a ring (t,); empty if it is constant."""
     if field not in BESIDE:
         return np.zeros(0)
     values: Array = getattr(result, BESIDE[field][0])
     return values if np.ptp(values) > 0.0 else np.zeros(0)
 
 
-def _draw_beside(axes: Axes, minutes: Array, values: Array, name: str) -> None:
-    """Such a temperature, named at its end."""
+def _draw_adjacent(axes: Axes, minutes: Array, values: Array, name: str) -> None:
+    """Draw the temperature of an adjacent part, with its name at the end."""
     axes.plot(minutes, values, color="black", linestyle=DOTTED)
     style: dict[str, Any] = {"ha": "right", "va": "top", "fontsize": FONT_SIZE}
     end = minutes[-1], values[-1]
