@@ -1,5 +1,8 @@
-"""Writer of PNG files. Line drawings of 300 dpi take half the time that Pillow needs, which tries
-five filters on every row: here each row is its difference to the one above, mostly zero."""
+"""Writer of PNG files.
+
+Line drawings of 300 dpi take half the time that Pillow needs, which tries five filters on every
+row: here each row is its difference to the one above, mostly zero.
+"""
 
 from __future__ import annotations
 

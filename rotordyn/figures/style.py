@@ -1,5 +1,8 @@
-"""Report style of all figures: 168 mm wide, which fits A4, fixed margins, colours that are
-distinct to the colour-blind, dashes and marks that distinguish lines without colour."""
+"""Report style of all figures.
+
+They are 168 mm wide, which fits A4, with fixed margins, colours that are distinct to the
+colour-blind, and dashes and marks that distinguish lines without colour.
+"""
 
 from __future__ import annotations
 

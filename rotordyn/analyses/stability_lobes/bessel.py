@@ -1,5 +1,4 @@
-"""Spherical Bessel functions, which are the Fourier and Laplace integrals of Legendre
-polynomials."""
+"""Spherical Bessel functions: Fourier and Laplace integrals of Legendre polynomials."""
 
 from __future__ import annotations
 

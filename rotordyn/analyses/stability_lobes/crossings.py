@@ -1,9 +1,9 @@
-"""Crossings of the positive real axis by eigenvalues z(θ): each is a stability limit at the depth
-1/z.
+"""Crossings of the positive real axis by eigenvalues z(θ), which are limits of stability.
 
-The least depth is sought. Branches are followed from sample to sample; samples are added where a
-branch turns fast near the axis, and where the phase of Π(1 − a z), which counts the unstable
-multipliers at a depth a, is uncertain for any depth up to the limit.
+The depth of each limit is 1/z; the least depth is sought. Branches are followed from sample to
+sample; samples are added where a branch turns fast near the axis, and where the phase of
+Π(1 − a z), which counts the unstable multipliers at a depth a, is uncertain for any depth up to
+the limit.
 """
 
 from __future__ import annotations

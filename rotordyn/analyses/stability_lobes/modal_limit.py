@@ -75,9 +75,8 @@ def modal_limit(tip: ModalTip, top: float, process: Process) -> Limit:
     coarse = _maps(tip, COARSE * top, process, COARSE_SPARE)
     fine = _maps(tip, top, process, SPARE)
     step = SHARE * min(process.cut.gaps) / process.lag if process.lag > 0.0 else math.inf
-    signs = (
-        (-1.0,) if process.cut.even else (-1.0, 1.0)
-    )  # what repeats with even teeth cuts no chip
+    # motion that repeats with evenly spaced teeth cuts no chip
+    signs = (-1.0,) if process.cut.even else (-1.0, 1.0)
     real = math.inf if process.lag > 0.0 else min(fine(0.0).repeating(sign) for sign in signs)
     damped = _with_damping(tip)
     deepest = DEEPEST * (low if damped is tip else CERTAIN / _gain(damped, process))

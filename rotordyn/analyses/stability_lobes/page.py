@@ -1,5 +1,4 @@
-"""Report page of stability lobes: depth of cut over speed; of one machine also further limits,
-chatter frequencies, pockets and the planned cut."""
+"""Report page of stability lobes: charts of limits, chatter and planned cut, table of pockets."""
 
 from __future__ import annotations
 

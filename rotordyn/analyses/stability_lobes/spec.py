@@ -40,7 +40,7 @@ MILLING = ("up", "down", "slot")
 OBLIQUE = math.radians(60.0)
 HOPF, FLIP, FOLD, NONE = "hopf", "flip", "fold", ""
 REPEATING = {FLIP: "period doubling", FOLD: "repeats with the pattern of teeth"}
-WITHOUT_CUT = "without a cut"  # the machine is unstable by itself
+WITHOUT_CUT = "without a cut"  # the machine alone is unstable
 OF_MILLING = (
     "teeth",
     "pitch",

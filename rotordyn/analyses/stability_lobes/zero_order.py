@@ -1,5 +1,7 @@
-"""Zero-order stability (Altintas and Budak 1995): the mean of the cutting forces over the tooth
-period, and one frequency of vibration. Exact where the cutting forces do not change with the angle.
+"""Zero-order stability, by the mean of the cutting forces and one frequency of vibration.
+
+It is that of Altintas and Budak (1995), with the mean over the tooth period, and exact where the
+cutting forces do not change with the angle.
 
 At a depth a and a frequency ω on the limit 1/a is an eigenvalue of Z = −(1 − e^{−iωT}) Φ(iω) H̄, so
 that the lobes need not be counted and every speed has its own receptance. Of unevenly spaced teeth
@@ -19,7 +21,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Rows = Callable[[Array], Complex]
-CANDIDATES = 4  # crossings of a speed refined at a time, those that may be largest first
+CANDIDATES = 4  # crossings of a speed refined at a time, in order of their bounds
 BULGE = 0.1  # of the chord between two samples: an arc of the phase between them bulges by 0.025
 STEPS = 30
 LEAST = 1e-4  # of the largest eigenvalue: a smaller crossing limits no practical depth

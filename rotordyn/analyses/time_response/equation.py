@@ -1,5 +1,4 @@
-"""Linear equation of motion along and across the axis, with rows of forces, points and bearing
-rings in its coordinates."""
+"""Linear equation of motion along and across the axis, with rows of forces, points and rings."""
 
 from __future__ import annotations
 

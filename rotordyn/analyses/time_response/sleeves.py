@@ -1,5 +1,7 @@
-"""End stops over time, and margins of sleeves to events that the response omits: motion of stops
-that stay as they are, and sliding against friction."""
+"""Gaps and forces of end stops over time, and margins of sleeves to stops and to sliding.
+
+The response omits motion of stops that stay as they are, and sliding against dry friction.
+"""
 
 from __future__ import annotations
 

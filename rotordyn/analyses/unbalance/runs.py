@@ -1,5 +1,4 @@
-"""Run-ups and run-downs through the speeds of a case: motion of points and forces of bearings and
-supports."""
+"""Run-ups and run-downs through the speeds of a case: motion of points, and bearing forces."""
 
 from __future__ import annotations
 
