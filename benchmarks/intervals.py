@@ -78,7 +78,7 @@ def drawn(case: Case, changes: Sequence[dict[str, Any]]) -> Array:
 
 
 def _numbers(case: Case, memo: Memo) -> Array:
-    from rotordyn.analyses.stiffness.solve import answer
+    from rotordyn.analyses.stiffness.solve import solve as solve_stiffness
 
     spindle, spec = case.spindle, case.analyses["stiffness"]
     assert spindle is not None
@@ -90,7 +90,8 @@ def _numbers(case: Case, memo: Memo) -> Array:
     summed = [k for k, seat in enumerate(spindle.seats) if seat.name in carried]
     total = np.abs(scene.preload.seat_load()[:, summed].sum(axis=1))
     usable = np.isin(np.arange(len(speed)), scene.usable)
-    return np.array([*np.where(usable, total, np.nan), *answer(scene, spec).tangent[:, 0] / 1e6])
+    tangent = solve_stiffness(scene, spec).tangent[:, 0] / 1e6
+    return np.array([*np.where(usable, total, np.nan), *tangent])
 
 
 def measure(name: str, values: Array) -> dict[str, Any]:

@@ -87,7 +87,7 @@ def _line(machine: Machine, truth: Any, asked: dict[str, float]) -> dict[str, An
         found = scene.system(bending)
         spent = scene.clock.seconds
         seconds.append(sum(spent[stage] for stage in STAGES if stage in spent))
-    result = campbell.answer(scene, CampbellSpec(machine.band, shapes=False, engine_orders=()))
+    result = campbell.solve(scene, CampbellSpec(machine.band, shapes=False, engine_orders=()))
     return {
         "unknowns": found.modes.stiffness.shape[-1],
         "error": _error(machine, found, truth),

@@ -106,7 +106,7 @@ def against_exact(seed: int, sort: str = "stepped") -> list[tuple[int, Pairs]]:
     results = []
     for accuracy in ACCURACIES:
         scene = Scene(spindle, Conditions(accuracy=accuracy), np.array([spin]), highest)
-        results.append(campbell.answer(scene, CampbellSpec(highest, shapes=False)))
+        results.append(campbell.solve(scene, CampbellSpec(highest, shapes=False)))
     exact = exact_rotor(of_cylinders(spindle, 64), spin, NO_SEATS)
     missing = [0 for _ in results]
     pairs: list[Pairs] = [[] for _ in results]
@@ -245,7 +245,7 @@ def _compared(
     with warnings.catch_warnings(record=True) as heard:
         warnings.simplefilter("always")
         scene = Scene(spindle, Conditions(accuracy=FINE), np.array([spin]), highest)
-        result = campbell.answer(scene, CampbellSpec(highest, shapes=False))
+        result = campbell.solve(scene, CampbellSpec(highest, shapes=False))
     bending = np.array([kind == "bending" for kind in result.kind])
     size = np.abs(result.pole[0])
     inside = bending & (size < edge) & (result.pole[0].imag > SWINGING * size)

@@ -55,7 +55,7 @@ class Job:
             ports=tuple(sorted(ports)),
         )
         scene.solved["preload"] = self.preload
-        found = scene.timed("frf", lambda: frf.answer(scene, self.spec))
+        found = scene.timed("frf", lambda: frf.solve(scene, self.spec))
         return scene, found.receptance
 
 

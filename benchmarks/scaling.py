@@ -30,7 +30,7 @@ from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.analyses.contract import Spec
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.preload.spec import PreloadSpec
-from rotordyn.analyses.solving import answer_spindle
+from rotordyn.analyses.solving import solve_spindle
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.sleeve import Sleeve, Spring
@@ -65,7 +65,7 @@ def answered(
 ) -> dict[str, Any]:
     """Results of a spindle by name."""
     turning = tuple(float(speed) for speed in speeds)
-    return answer_spindle(spindle, conditions, turning, analyses, lambda name: None).results
+    return solve_spindle(spindle, conditions, turning, analyses, lambda name: None).results
 
 
 def long_shaft(sections: int) -> Spindle:

@@ -85,5 +85,5 @@ def _map(
     scene = machine.scene(**conditions)
     scene.ports = (machine.spindle.points[POINT.point],)
     begin = time.perf_counter()
-    found = frf.answer(scene, asked)
+    found = frf.solve(scene, asked)
     return time.perf_counter() - begin, found.response, float(found.error.max())

@@ -7,8 +7,8 @@ To add an analysis:
 2. ``result.py``: a frozen dataclass whose fields are declared with ``coordinate`` and ``quantity``
    (``results.declaration``); a field ``speed`` and an ``outcome`` that says why values are missing.
    Datasets and ``results.nc`` follow from the declaration.
-3. ``solve.py``: ``answer(scene, spec)`` for a spindle, for a single bearing
-   ``answer(bearing, conditions, speed, spec)``; gives the result.
+3. ``solve.py``: ``solve(scene, spec)`` for a spindle, for a single bearing
+   ``solve(bearing, conditions, speed, spec)``; gives the result.
 4. ``tables.py``: a ``Layout`` for every CSV table.
 5. ``summary.py``: its lines of the summary, its headline numbers, its accuracy, its warnings.
 6. ``figures/``: ``__init__`` says which figures a result has, further files draw them; only
@@ -173,7 +173,7 @@ class Analysis:
 
 
 PLACES = {
-    "solve": "solve:answer",
+    "solve": "solve:solve",
     "figures": "figures:figures",
     "panels": "figures:panels",
     "curves": "figures:headline_curves",

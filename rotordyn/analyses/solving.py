@@ -51,7 +51,7 @@ class Answers:
     stop: Stop | None = None
 
 
-def answer_spindle(
+def solve_spindle(
     spindle: Spindle,
     conditions: Conditions,
     speeds: tuple[float, ...],
@@ -88,7 +88,7 @@ def answer_spindle(
 
     def solve(name: str, spec: Spec) -> Result:
         scene.progress = partial(_part_done, progress, name)
-        return scene.timed(f"answer {name}", partial(analysis(name).solve, scene, spec))
+        return scene.timed(f"solve {name}", partial(analysis(name).solve, scene, spec))
 
     with linear_algebra_alone():
         if not all(analysis(name).unsteady for name in analyses):
@@ -128,7 +128,7 @@ def _part_done(progress: Progress, name: str, done: str) -> None:
     progress(f"{name}, {done}")
 
 
-def answer_bearing(
+def solve_bearing(
     bearing: BallBearing,
     conditions: Conditions,
     speeds: tuple[float, ...],

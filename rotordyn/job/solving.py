@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rotordyn.allowance import STOPS, Stop, keeps_finished
-from rotordyn.analyses.solving import Answers, Progress, answer_bearing, answer_spindle
+from rotordyn.analyses.solving import Answers, Progress, solve_bearing, solve_spindle
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput, NoSolution
 
@@ -43,9 +43,9 @@ def solve(
     """
     if case.spindle is not None:
         arguments = (case.spindle, case.conditions, case.speeds, case.analyses)
-        return answer_spindle(*arguments, progress, memo, checks)
+        return solve_spindle(*arguments, progress, memo, checks)
     assert case.bearing is not None, "a case has one of the two"
-    return answer_bearing(case.bearing, case.conditions, case.speeds, case.analyses, progress)
+    return solve_bearing(case.bearing, case.conditions, case.speeds, case.analyses, progress)
 
 
 def solve_variants(case: Case, progress: Progress = lambda name: None) -> VariantAnswers:

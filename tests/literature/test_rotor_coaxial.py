@@ -41,7 +41,7 @@ def test_frequencies_of_the_coaxial_rotor(ratio: float, rpm: float) -> None:
 def test_critical_speeds_meet_the_lines_of_both_rotors() -> None:
     speed = np.linspace(0.0, 15000.0, 7) * RPM
     scene = Scene(COAXIAL, Conditions(accuracy=1e-6), speed, HIGHEST)
-    found = campbell.answer(scene, CampbellSpec(HIGHEST))
+    found = campbell.solve(scene, CampbellSpec(HIGHEST))
     assert found.rotor == ("spindle", "outer")
     assert found.speed_ratio.tolist() == [1.0, 1.5]
     assert {"spindle", "outer"} == set(found.critical_rotor)

@@ -17,7 +17,7 @@ from scipy.linalg import eigh
 import rotordyn
 from bearings.materials import Material
 from rotordyn.analyses import Conditions, Unbalance, UnbalanceSpec
-from rotordyn.analyses.solving import answer_spindle
+from rotordyn.analyses.solving import solve_spindle
 from rotordyn.analyses.unbalance.result import UnbalanceResult
 from rotordyn.equation.mesh import build_mesh
 from rotordyn.machine.lumped import PointMass
@@ -188,7 +188,7 @@ def test_unbalance_response_peaks_at_the_critical_speeds() -> None:
     )
     spec = UnbalanceSpec(points=("disc_2",), unbalances=(Unbalance("disc_2", 2e-4),))
     own = Conditions(element_length=0.1)
-    found = answer_spindle(
+    found = solve_spindle(
         spindle, own, tuple((speed * RPM).tolist()), {"unbalance": spec}, lambda name: None
     )
     result = found.results["unbalance"]

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from rotordyn.analyses.contract import Spec
 from rotordyn.analyses.measured_response import Port
-from rotordyn.analyses.solving import answer_spindle
+from rotordyn.analyses.solving import solve_spindle
 from rotordyn.case.case import Case
 from rotordyn.case.model import model
 from rotordyn.case.read import load
@@ -135,7 +135,7 @@ def answers(
 ) -> dict[str, Any]:
     """Results by name at speeds in rpm."""
     speeds = tuple(float(n) * RPM for n in rpm)
-    found = answer_spindle(spindle, conditions(**changes), speeds, analyses, lambda name: None)
+    found = solve_spindle(spindle, conditions(**changes), speeds, analyses, lambda name: None)
     return found.results
 
 

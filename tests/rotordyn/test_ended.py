@@ -88,7 +88,7 @@ def test_a_run_that_is_ended_in_an_analysis_keeps_those_before(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     first, text = FIRST[name]
-    monkeypatch.setattr(f"rotordyn.analyses.{name}.solve.answer", stop)
+    monkeypatch.setattr(f"rotordyn.analyses.{name}.solve.solve", stop)
     assert ended(text, tmp_path, *words) == code
     assert f"not solved: {name} left out: {why}" in capsys.readouterr().err
     results = rotordyn.open(tmp_path / "out")
@@ -102,14 +102,14 @@ def test_a_run_whose_time_is_over_between_analyses_keeps_those_before(
     name: str, tmp_path: Path, monkeypatch: Patch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     first, text = FIRST[name]
-    module = __import__(f"rotordyn.analyses.{first}.solve", fromlist=["answer"])
+    module = __import__(f"rotordyn.analyses.{first}.solve", fromlist=["solve"])
 
-    def slow(*given: Any, answer: Callable[..., Any] = module.answer) -> Any:
-        result = answer(*given)
+    def slow(*given: Any, solve: Callable[..., Any] = module.solve) -> Any:
+        result = solve(*given)
         over()
         return result
 
-    monkeypatch.setattr(module, "answer", slow)
+    monkeypatch.setattr(module, "solve", slow)
     assert ended(text, tmp_path) == 2
     assert f"{name}: not begun, {OVER}" in capsys.readouterr().err
     assert list(rotordyn.open(tmp_path / "out")) == [first]
@@ -119,7 +119,7 @@ def test_a_run_whose_time_is_over_between_analyses_keeps_those_before(
 def test_nothing_is_written_where_nothing_is_finished(
     stop: Callable[..., None], tmp_path: Path, monkeypatch: Patch
 ) -> None:
-    monkeypatch.setattr("rotordyn.analyses.campbell.solve.answer", stop)
+    monkeypatch.setattr("rotordyn.analyses.campbell.solve.solve", stop)
     assert ended(FRF, tmp_path) in (2, 130)
     assert not (tmp_path / "out").exists()
 
@@ -130,7 +130,7 @@ def test_complete_results_are_not_replaced_by_fewer(
     """They stay as they are; what was finished stands beside them, and gives way to all of it."""
     assert ended(FRF, tmp_path, "--no-figures") == 0
     with monkeypatch.context() as patch:
-        patch.setattr("rotordyn.analyses.frf.solve.answer", interrupted)
+        patch.setattr("rotordyn.analyses.frf.solve.solve", interrupted)
         assert ended(FRF, tmp_path) == 130
         said = capsys.readouterr().err
         assert f"{tmp_path / 'out'} keeps its earlier results, which are complete: " in said
@@ -170,7 +170,7 @@ def test_variants_before_the_end_are_kept(
 def test_analyses_of_the_first_variant_are_kept(
     tmp_path: Path, monkeypatch: Patch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr("rotordyn.analyses.frf.solve.answer", interrupted)
+    monkeypatch.setattr("rotordyn.analyses.frf.solve.solve", interrupted)
     assert ended(VARIANTS, tmp_path) == 130
     sentence = "not solved: frf of variant a, variant b and 2 after it left out: interrupted"
     assert sentence in capsys.readouterr().err
@@ -198,7 +198,7 @@ def test_what_is_finished_before_its_interval_is_kept(tmp_path: Path) -> None:
 
 def test_python_is_interrupted_as_ever(tmp_path: Path, monkeypatch: Patch) -> None:
     (tmp_path / "case.yaml").write_text(FRF, encoding="utf-8")
-    monkeypatch.setattr("rotordyn.analyses.frf.solve.answer", interrupted)
+    monkeypatch.setattr("rotordyn.analyses.frf.solve.solve", interrupted)
     with pytest.raises(KeyboardInterrupt):
         rotordyn.run(rotordyn.load(tmp_path / "case.yaml"))
 

@@ -92,7 +92,7 @@ def test_folder_holds_numbers_tables_figures_and_record(tmp_path: Path) -> None:
     assert set(record["outcomes"]) == {"preload", "campbell", "frf", "stiffness"}
     assert max(record["tolerances"].values()) < 1e-8
     assert {"numpy", "h5py", "rotordyn"} <= set(record["versions"])
-    assert set(record["stages"]) >= {"preload", "answer frf", "write"}
+    assert set(record["stages"]) >= {"preload", "solve frf", "write"}
     assert delivery.unsolved == ()
     assert (delivery.folder / "summary.txt").read_text(encoding="utf-8").strip() in (
         delivery.summary + "\n"

@@ -71,7 +71,7 @@ def test_random_rotors(seed: int) -> None:
     truth = {way: whirl_frequencies(exact, number, way) for way, number in count.items() if number}
     for accuracy in (1e-3, 1e-4, 1e-6):
         found = Scene(spindle, Conditions(accuracy=accuracy), np.array([spin]), highest)
-        result = campbell.answer(found, CampbellSpec(highest, shapes=False))
+        result = campbell.solve(found, CampbellSpec(highest, shapes=False))
         assert not result.unconverged
         for way in (-1, 1):
             columns = [k for k, whirl in enumerate(result.whirl[0]) if whirl == way]
@@ -100,7 +100,7 @@ def test_poles_of_uneven_supports_move_as_told(damped: bool) -> None:
         standard = Conditions(element_length=spindle.shaft.end / 60.0)
         for given in (Conditions(accuracy=1e-3), Conditions(accuracy=1e-5), standard):
             found = Scene(spindle, given, speed, highest)
-            result = campbell.answer(found, CampbellSpec(highest, shapes=False))
+            result = campbell.solve(found, CampbellSpec(highest, shapes=False))
             column = bending(result, 0, 0.98 * highest)
             pole = result.pole[0, column]
             error = np.abs(truth - pole[:, None]).min(axis=1) / np.abs(pole)
@@ -134,7 +134,7 @@ def test_drawbar_and_sprung_sleeve(what: str) -> None:
     truth = exact_poles(scene(spindle, (0, 24000), accuracy=1e-6), 4400.0)
     for accuracy in (1e-4, 1e-6):
         found = scene(spindle, (0, 24000), accuracy=accuracy)
-        result = campbell.answer(found, CampbellSpec(4000.0, shapes=False))
+        result = campbell.solve(found, CampbellSpec(4000.0, shapes=False))
         for row in (0, 1):
             column = bending(result, row, 4000.0)
             pole, exact = result.pole[row, column], truth[row].real + 1j * np.abs(truth[row].imag)
@@ -147,7 +147,7 @@ def test_axial_and_torsional_modes_have_their_errors() -> None:
     """Against the same with an accuracy a thousand times better."""
     spindle = undamped(mfw2310())
     rough, fine = (
-        campbell.answer(scene(spindle, (0, 24000), 9000.0, accuracy=a), CampbellSpec(9000.0))
+        campbell.solve(scene(spindle, (0, 24000), 9000.0, accuracy=a), CampbellSpec(9000.0))
         for a in (1e-3, 1e-6)
     )
     for kind in ("axial", "torsion"):
@@ -183,7 +183,7 @@ def test_few_standard_elements_leave_no_mode_out(length: float) -> None:
     bar = uniform(1.0, 0.05, supports=held)
     given = Conditions(element_length=length)
     found = Scene(bar, given, np.array([300.0]), 5000.0)
-    result = campbell.answer(found, CampbellSpec(5000.0, shapes=False))
+    result = campbell.solve(found, CampbellSpec(5000.0, shapes=False))
     bending = [kind == "bending" for kind in result.kind]
     whole = FullRotor(bar, build_mesh(bar, length), NO_SEATS, 300.0).poles(5000.0)
     frequency = np.sort(result.frequency[0, bending])

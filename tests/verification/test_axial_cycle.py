@@ -22,7 +22,7 @@ from bearings.materials import Material
 from rotordyn.analyses import AxialCycleSpec
 from rotordyn.analyses.axial_cycle.figures import figures, headline_curves
 from rotordyn.analyses.axial_cycle.result import AxialCycleResult
-from rotordyn.analyses.axial_cycle.solve import answer
+from rotordyn.analyses.axial_cycle.solve import solve
 from rotordyn.analyses.axial_cycle.summary import numbers, summary, warnings
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
@@ -48,7 +48,7 @@ def rubbing(limit: float = FRICTION) -> Spindle:
 def cycle(limit: float = FRICTION, steps: int = 35) -> AxialCycleResult:
     """At rest and 16 000 rpm, over the forces of the published measurements."""
     spec = AxialCycleSpec(lowest=-1900.0, highest=1600.0, steps=steps)
-    return answer(scene(rubbing(limit), [0.0, 16000.0]), spec)
+    return solve(scene(rubbing(limit), [0.0, 16000.0]), spec)
 
 
 def met(state: Any, known: dict[str, Any]) -> None:

@@ -53,7 +53,7 @@ def beam(bar: Drawbar | None = None, radial: float = 1e9) -> Spindle:
 def first(spindle: Spindle, highest: float = 400.0, count: int = 1, **changes: Any) -> np.ndarray:
     """Lowest bending frequencies at rest [Hz], twins once."""
     found = Scene(spindle, Conditions(**changes), np.zeros(1), highest)
-    result = campbell.answer(found, CampbellSpec(highest))
+    result = campbell.solve(found, CampbellSpec(highest))
     bending = [k == "bending" for k in result.kind]
     return np.sort(result.frequency[0, bending])[::2][:count]
 
@@ -224,7 +224,7 @@ def test_reduced_rotor_under_a_strong_bar(row: int) -> None:
     spec = FrfSpec(tuple(frequency), pairs("Oc2.y/Oc2.y", "Oc2.z/Oc2.y"))
     rotor = full(found, row)
     ends = [(rotor.row(-0.0524, f), rotor.row(-0.0524, "y")) for f in ("y", "z")]
-    ours_h, exact_h = frf.answer(found, spec).receptance[row], rotor.receptance(ends, frequency)
+    ours_h, exact_h = frf.solve(found, spec).receptance[row], rotor.receptance(ends, frequency)
     assert np.abs(ours_h - exact_h).max() < 5e-4 * np.abs(exact_h).max()
 
 
@@ -246,13 +246,13 @@ def test_condensed_rotor_near_buckling(share: float) -> None:
     spindle = replace(slender(), drawbar=replace(STRONG, force=share * critical))
     found = scene(spindle, (0, 12000))
     asked = StiffnessSpec("Oc2", 50.0, 1, ("nonlinear", "full"))
-    result = stiffness.answer(found, asked)
+    result = stiffness.solve(found, asked)
     for row in (0, 1):
         rotor = full(found, row)
         tip = rotor.row(-0.0524, "y")
         expected = 1.0 / np.linalg.inv(rotor.stiffness)[tip, tip]
         assert result.tangent[row] == pytest.approx([expected] * 2, rel=1e-4 / (1.0 - share))
-    plain = stiffness.answer(scene(slender(), (0, 12000)), asked)
+    plain = stiffness.solve(scene(slender(), (0, 12000)), asked)
     assert (result.tangent < (1.0 - 0.3 * share) * plain.tangent).all()
 
 
@@ -381,7 +381,7 @@ def test_a_strong_drawbar_is_no_error_of_the_rotor(guides: tuple[float, ...]) ->
     """The string bears what the pressed shaft puts on modes left out: next to nothing is told."""
     strung = beam(Drawbar(1.5 * EULER, 0.1, 0.8, guides))
     found = [
-        campbell.answer(
+        campbell.solve(
             Scene(strung, Conditions(accuracy=accuracy), np.zeros(1), 4.0 * PINNED),
             CampbellSpec(4.0 * PINNED, shapes=False),
         )

@@ -158,7 +158,7 @@ def test_a_guide_far_from_its_centre_is_told(interference: float, said: bool) ->
     assert bool(told) == said
     if not said:
         return
-    found = bearing_loads.answer(scene, BearingLoadsSpec())
+    found = bearing_loads.solve(scene, BearingLoadsSpec())
     of_guide = np.isin(found.bearing, behind.bearings)
     across = found.radial_load[0] * np.exp(1j * found.load_angle[0])
     force = abs(across[of_guide].sum())

@@ -16,7 +16,7 @@ from bearings import AngularContactBallBearing, DeepGrooveBallBearing
 from bearings.ball.law import Law
 from bearings.materials import SILICON_NITRIDE, STEEL
 from rotordyn.analyses import PreloadSpec
-from rotordyn.analyses.preload.solve import answer
+from rotordyn.analyses.preload.solve import solve
 from rotordyn.analyses.preload.summary import summary
 from rotordyn.errors import InvalidInput
 from rotordyn.machine import BearingSet, Fits, RingGrowth, SetPreload, Spring
@@ -98,7 +98,7 @@ def test_force_and_offset_give_one_another() -> None:
     assert offset == pytest.approx(2.0 * deflection(600.0), rel=1e-12)
     back = spindle("DB", SetPreload(offset=offset))
     assert mounted_preloads(back)[0] == pytest.approx(600.0, rel=1e-9)
-    result = answer(state(back), PreloadSpec())
+    result = solve(state(back), PreloadSpec())
     assert result.mounted_preload == pytest.approx([600.0], rel=1e-9)
     assert result.ring_offset == pytest.approx([offset], rel=1e-9)
     assert any("600 N as mounted" in line for line in summary(result))

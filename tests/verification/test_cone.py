@@ -14,7 +14,7 @@ from scipy.special import iv, jv, kv, yv
 
 import rotordyn
 from rotordyn.analyses import EccentricSpan, SectionForcesSpec, UnbalanceSpec
-from rotordyn.analyses.solving import answer_spindle
+from rotordyn.analyses.solving import solve_spindle
 from rotordyn.analyses.unbalance.loads import acting, node_loads
 from rotordyn.equation.elements.beam import PlaneBending, beam_matrices, quadrature, shear_parameter
 from rotordyn.equation.mesh import Mesh, build_mesh, divided, station_mesh
@@ -254,7 +254,7 @@ def test_a_conical_cantilever_under_a_load_and_its_weight() -> None:
 
 def solved(spindle: Spindle, spec: SectionForcesSpec):  # type: ignore[no-untyped-def]
     asked = {"section_forces": spec}
-    found = answer_spindle(spindle, Conditions(), (0.0,), asked, lambda name: None)
+    found = solve_spindle(spindle, Conditions(), (0.0,), asked, lambda name: None)
     return found.results["section_forces"]
 
 

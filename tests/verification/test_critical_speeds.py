@@ -46,7 +46,7 @@ def answered(
 ) -> Any:
     speed = np.asarray(rpm, float) * RPM
     scene = Scene(spindle, Conditions(element_length=element, **conditions), speed, highest)
-    return campbell.answer(scene, CampbellSpec(highest, shapes=False, engine_orders=orders))
+    return campbell.solve(scene, CampbellSpec(highest, shapes=False, engine_orders=orders))
 
 
 def bending(result: Any, order: float) -> np.ndarray:
@@ -96,12 +96,12 @@ def test_unbalance_excites_an_axial_mode_that_supports_couple_to_bending(
     expected = math.sqrt(np.linalg.eigvalsh(plain)[1] / mass)
     speed = np.linspace(0.0, 1.5 * expected, 5)
     scene = Scene(spindle, Conditions(rotor="rigid"), speed, 1000.0, (0.2,))
-    found: Any = campbell.answer(scene, CampbellSpec(1000.0, shapes=False))
+    found: Any = campbell.solve(scene, CampbellSpec(1000.0, shapes=False))
     own = found.critical_kind.index("axial")
     assert found.critical_speed[own] == pytest.approx(expected, rel=1e-4)
     assert found.critical_excited[own] == excited
     assert found.excited_by[found.kind.index("axial")] == ("either" if excited else "")
-    moved = unbalance.answer(scene, UnbalanceSpec(("mid",), (Unbalance("mid", u),)))
+    moved = unbalance.solve(scene, UnbalanceSpec(("mid",), (Unbalance("mid", u),)))
     at = moved.fine_speed
     dynamic = plain + (1j * damping * at - mass * at**2)[:, None, None] * np.eye(2)
     closed = np.linalg.solve(dynamic, np.outer(u * at**2, [0.0, 1.0])[..., None])[..., 0]

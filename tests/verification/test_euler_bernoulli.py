@@ -10,7 +10,7 @@ import pytest
 
 import rotordyn
 from rotordyn.analyses import SectionForcesSpec
-from rotordyn.analyses.solving import answer_spindle
+from rotordyn.analyses.solving import solve_spindle
 from rotordyn.equation.elements.beam import inner_dofs
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
@@ -81,7 +81,7 @@ def test_no_freedoms_of_shear() -> None:
 def test_statics_without_shear() -> None:
     spec = SectionForcesSpec(loads=(PointLoad(LENGTH / 2.0, Fy=1000.0),))
     asked = {"section_forces": spec}
-    found = answer_spindle(pinned(), Conditions(), (0.0,), asked, lambda name: None)
+    found = solve_spindle(pinned(), Conditions(), (0.0,), asked, lambda name: None)
     deflection = found.results["section_forces"].deflection_y[0]
     assert deflection.max() == pytest.approx(1000.0 * LENGTH**3 / 48.0 / 2.1e11 / MOMENT, rel=1e-11)
 

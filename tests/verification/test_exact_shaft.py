@@ -137,7 +137,7 @@ def test_fine_elements_agree(name: str) -> None:
     """Poles, how many there are, and receptances, whatever couples planes, sleeves and bar."""
     ports = tuple(MACHINES[name].points.values())
     own = scene(MACHINES[name], SPEEDS, 3500.0, ports, element_length=0.003)
-    result = campbell.answer(own, CampbellSpec(3500.0, shapes=False))
+    result = campbell.solve(own, CampbellSpec(3500.0, shapes=False))
     bends = [kind == "bending" for kind in result.kind]
     for row, exact in enumerate(exact_poles(own, 3600.0)):
         ratio, turning = result.damping_ratio[row, bends], HZ * result.frequency[row, bends]
@@ -147,7 +147,7 @@ def test_fine_elements_agree(name: str) -> None:
         gap = np.abs(truth[:, None] - found) / np.abs(found)
         assert len(found) == (truth.imag < HZ * 3500.0).sum() >= 7
         assert gap[linear_sum_assignment(gap)].max() < 1e-4
-    plain_h = frf.answer(own, FrfSpec(tuple(FREQUENCY), pairs(*PAIRS))).receptance
+    plain_h = frf.solve(own, FrfSpec(tuple(FREQUENCY), pairs(*PAIRS))).receptance
     exact_h = exact_receptance(own, pairs(*PAIRS), FREQUENCY)
     size = np.abs(exact_h).max(axis=(0, 2))
     assert (np.abs(plain_h - exact_h).max(axis=(0, 2)) <= 0.01 * size).all()
@@ -156,7 +156,7 @@ def test_fine_elements_agree(name: str) -> None:
 def test_shapes_are_those_of_the_elements() -> None:
     """Parallel to those of the poles nearest, in both planes."""
     own = scene(MACHINES["uneven"], SPEEDS, 3500.0, element_length=0.003)
-    result = campbell.answer(own, CampbellSpec(3500.0))
+    result = campbell.solve(own, CampbellSpec(3500.0))
     poles, shapes = exact_modes(own, 3500.0, result.node)
     for row, (pole, shape) in enumerate(zip(poles, shapes, strict=True)):
         forward, backward = shape[..., 0], shape[..., 2]
@@ -339,7 +339,7 @@ def test_static_limit_is_the_flexibility(name: str) -> None:
 def test_weight_varies_along_the_shaft() -> None:
     """A hanging shaft: fine elements, each with its mean force, and pieces of the same mesh."""
     own = scene(MACHINES["plain"], (0.0,), gravity="-x", element_length=0.003)
-    found = campbell.answer(own, CampbellSpec(2000.0, shapes=False))
+    found = campbell.solve(own, CampbellSpec(2000.0, shapes=False))
     frequency = np.sort(found.frequency[0, [kind == "bending" for kind in found.kind]])
     inside = frequency[frequency < 2000.0]
     exact = np.sort(np.abs(exact_poles(own, 2000.0)[0].imag)) / HZ

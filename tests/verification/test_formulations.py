@@ -111,7 +111,7 @@ def test_random_rotors(drawn: tuple[Spindle, float]) -> None:
         assert np.abs(poles - seen).min() < 1e-5 * max(abs(pole), spin)
     frequency = np.array([0.011, 0.13, 0.3, 0.8]) * highest
     spec = FrfSpec(tuple(frequency), pairs("disc.y/disc.y", "disc.z/disc.y"))
-    ours = frf.answer(found, spec).receptance[0]
+    ours = frf.solve(found, spec).receptance[0]
     at = 2 * found.mesh.node_of(spindle.points["disc"])
     size = np.abs(ours).max()
     for k, omega in enumerate(HZ * frequency):
@@ -180,7 +180,7 @@ def test_critical_speeds_and_names_do_not_depend_on_the_frame() -> None:
     held = (support("a", 0.0, (5e7, 5e7)), support("b", 0.4, (5e7, 5e7)))
     rotor = uniform(0.6, 0.05, STEEL, masses=(disc,), supports=held)
     speed = np.arange(0.0, 40001.0, 1000.0) * RPM
-    ours, seen = (campbell.answer(s, CampbellSpec(1500.0)) for s in both(rotor, speed, 1500.0))
+    ours, seen = (campbell.solve(s, CampbellSpec(1500.0)) for s in both(rotor, speed, 1500.0))
     more = [k for k, name in enumerate(seen.mode) if name not in ours.mode]
     assert [name for name in seen.mode if name in ours.mode] == list(ours.mode)
     assert (seen.frequency[:, more].min(axis=0) < 1500.0).all()  # in turning axes alone
@@ -259,7 +259,7 @@ def test_modes_seen_in_the_band_from_turning_axes(seed: int) -> None:
     spin, top = 2.2 * still[1], 1.02 * still[2]
     given = Conditions(accuracy=1e-3, formulation=TURNED)
     turned = Scene(spindle, given, np.array([spin]), top / HZ)
-    found = campbell.answer(turned, CampbellSpec(top / HZ, shapes=False))
+    found = campbell.solve(turned, CampbellSpec(top / HZ, shapes=False))
     exact = exact_rotor(spindle, spin, NO_SEATS)
     truth = whirl_frequencies(exact, modes_below(exact, top + spin), 1)
     seen = np.sort(np.abs(truth - spin)[np.abs(truth - spin) <= top])
@@ -286,7 +286,7 @@ def between_shown_frequencies() -> list[Scene]:
 
 
 def test_modes_beyond_the_band_of_both_frames_are_not_missed() -> None:
-    fixed, turned = (campbell.answer(s, CampbellSpec(300.0)) for s in between_shown_frequencies())
+    fixed, turned = (campbell.solve(s, CampbellSpec(300.0)) for s in between_shown_frequencies())
     assert fixed.unconverged == turned.unconverged == ""
     assert np.nanmin(turned.frequency, axis=0).max() <= 300.0
 

@@ -17,10 +17,10 @@ from bearings import AngularContactBallBearing
 from bearings.ball.law import Law
 from rotordyn.allowance import within
 from rotordyn.analyses import AxialCycleSpec, PreloadSpec, StiffnessSpec
-from rotordyn.analyses.axial_cycle.solve import answer as axial_cycle
-from rotordyn.analyses.preload.solve import answer as preload_answer
+from rotordyn.analyses.axial_cycle.solve import solve as axial_cycle
+from rotordyn.analyses.preload.solve import solve as preload_answer
 from rotordyn.analyses.preload.summary import summary
-from rotordyn.analyses.stiffness.solve import answer as stiffness_answer
+from rotordyn.analyses.stiffness.solve import solve as stiffness_answer
 from rotordyn.errors import InvalidInput, NoSolution, TooCostly
 from rotordyn.machine.history import HistoryStep, Past
 from rotordyn.machine.spindle import Spindle

@@ -50,9 +50,9 @@ def scene(*, rigid: bool = False) -> Scene:
 
 
 def lives(of: Scene) -> Any:
-    from rotordyn.analyses.life.solve import answer
+    from rotordyn.analyses.life.solve import solve
 
-    return answer(of, LifeSpec(OIL))
+    return solve(of, LifeSpec(OIL))
 
 
 @pytest.mark.parametrize("rule", [None, QuadraticInSpeed(4e-6, 12e3 * RPM)])

@@ -143,7 +143,7 @@ def against_dense(
     spindle: Spindle, rpm: tuple[float, ...], names: tuple[str, ...], **given: object
 ) -> None:
     found = scene(spindle, rpm, **given)
-    curves = frf.answer(found, FrfSpec(FREQUENCY, pairs(*names))).receptance
+    curves = frf.solve(found, FrfSpec(FREQUENCY, pairs(*names))).receptance
     for row in range(len(rpm)):
         dense = Dense(found, row)
         for k, (response, excitation) in enumerate(pairs(*names)):
@@ -179,7 +179,7 @@ def test_the_number_of_modes_is_that_of_all_freedoms(rpm: float) -> None:
     """Housings under the supports: dense eigenvalues of rotor and housing."""
     found = scene(one_housing(), (rpm,), element_length=0.01)
     highest = 2500.0
-    result = campbell.answer(found, CampbellSpec(highest, shapes=False))
+    result = campbell.solve(found, CampbellSpec(highest, shapes=False))
     dense = Dense(found, 0)
     n, inverse = len(dense.mass), np.linalg.inv(dense.mass)
     companion = np.block(
@@ -218,7 +218,7 @@ def test_the_number_of_modes_of_a_spindle_without_supports(rpm: float) -> None:
     """Only bearings stand on its housing; the dense eigenvalues are those of bending."""
     spindle, given = boxed_spindle()
     found, highest = scene(spindle, (rpm,), **given), 2500.0
-    result = campbell.answer(found, CampbellSpec(highest, shapes=False))
+    result = campbell.solve(found, CampbellSpec(highest, shapes=False))
     dense = Dense(found, 0)
     rows = [place for row, place in dense.rows.items() if row % 6 in (1, 2, 4, 5)]
     mass, damping, stiffness = (
@@ -241,7 +241,7 @@ def test_a_stiff_housing_is_ground() -> None:
     rotor = replace(STEPPED, supports=supports)
     spec = CampbellSpec(max_frequency=900.0)
     ground, housed = (
-        campbell.answer(scene(each, (0.0, 12000.0)), spec)
+        campbell.solve(scene(each, (0.0, 12000.0)), spec)
         for each in (rotor, replace(rotor, housings=own))
     )
     assert housed.mode == ground.mode
@@ -304,7 +304,7 @@ def test_the_error_of_a_coarse_mesh_is_estimated() -> None:
     """Two standard elements: the estimate is of the size of the error."""
     spec = CampbellSpec(max_frequency=800.0)
     coarse, fine = (
-        campbell.answer(scene(one_housing(), (6000.0,), **given), spec)
+        campbell.solve(scene(one_housing(), (6000.0,), **given), spec)
         for given in ({"element_length": 0.2}, {"accuracy": 1e-7})
     )
     bent = [k for k, kind in enumerate(coarse.kind) if kind == "bending"][-2:]
@@ -320,7 +320,7 @@ def test_springs_in_series_at_rest() -> None:
     own = pedestal("p", ("front",), front.x)
     rotor = replace(STEPPED, supports=(front, rear), housings=(own,))
     loads = SectionForcesSpec(loads=(PointLoad(at=front.x, Fy=100.0, Fz=40.0),))
-    found = section_forces.answer(scene(rotor, (0.0,)), loads)
+    found = section_forces.solve(scene(rotor, (0.0,)), loads)
     place = np.flatnonzero(np.isclose(found.cut, front.x))[0]
     assert found.deflection_y[0, place] == pytest.approx(100.0 * (1 / K + 1 / 8e7), rel=1e-9)
     assert found.deflection_z[0, place] == pytest.approx(40.0 * (1 / (1.5 * K) + 1 / 4e7), rel=1e-9)

@@ -79,14 +79,14 @@ def modes(
     spindle: Spindle, speed: list[float], highest: float = 150.0, **changes: Any
 ) -> CampbellResult:
     asked = CampbellSpec(highest, shapes=False)
-    return campbell.answer(scene(spindle, speed, highest, **changes), asked)
+    return campbell.solve(scene(spindle, speed, highest, **changes), asked)
 
 
 def responses(spindle: Spindle, speed: list[float], omega: NDArray[np.float64]) -> Complex:
     """yy, zz, zy, yz of the point ``disc`` (speeds, 4, frequencies)."""
     ends = [tuple(Port("disc", way) for way in pair) for pair in ("yy", "zz", "zy", "yz")]
     spec = FrfSpec(tuple((omega / HZ).tolist()), tuple(ends))  # type: ignore[arg-type]
-    return frf.answer(scene(spindle, speed, float(omega.max() / HZ)), spec).receptance  # type: ignore[attr-defined,no-any-return]
+    return frf.solve(scene(spindle, speed, float(omega.max() / HZ)), spec).receptance  # type: ignore[attr-defined,no-any-return]
 
 
 def still() -> tuple[float, float]:
@@ -136,7 +136,7 @@ def test_damping_at_critical_speeds_of_any_order(order: float) -> None:
     where n > 1, which damps it; whirl back is damped always."""
     omega, _ = still()
     asked = CampbellSpec(150.0, shapes=False, engine_orders=(order,))
-    found = campbell.answer(scene(disc(), [0.0, 1.5 * omega / order]), asked)
+    found = campbell.solve(scene(disc(), [0.0, 1.5 * omega / order]), asked)
     assert found.critical_speed == pytest.approx([omega / order] * 2, rel=2e-3)
     ratio = dict(zip(found.critical_whirl, found.critical_damping, strict=True))
     assert ratio["backward"] == pytest.approx(HALF, rel=1e-3)
@@ -154,7 +154,7 @@ def test_damping_at_critical_speeds_where_planes_are_one_for_a_while(order: floa
     aside = LinearSupport("aside", LENGTH / 2, spring, {}, speeds=table)
     rotor = replace(disc(), supports=(*disc().supports[:2], aside))
     asked = CampbellSpec(150.0, shapes=False, engine_orders=(order,))
-    found = campbell.answer(scene(rotor, [0.0, 1.4 * omega, 2.9 * omega]), asked)
+    found = campbell.solve(scene(rotor, [0.0, 1.4 * omega, 2.9 * omega]), asked)
     assert found.critical_speed == pytest.approx([math.sqrt(1.1) * omega / order] * 2, rel=2e-3)
     ratio = dict(zip(found.critical_whirl, found.critical_damping, strict=True))
     half = math.sin(0.5 * math.atan(ETA / 1.1))
@@ -356,7 +356,7 @@ def test_against_dense_matrices_by_whirl(machine: Callable[..., Spindle]) -> Non
         tuple((grid / HZ).tolist()),
         tuple((Port("disc", a), Port("disc", b)) for a, b in ("yy", "zz", "zy", "yz")),
     )
-    ours = frf.answer(found, spec)
+    ours = frf.solve(found, spec)
     for row, spin in enumerate(speed):
         dense = Circular(found, row)
         exact = []
@@ -450,7 +450,7 @@ def test_power_put_in_is_power_lost() -> None:
 
 def turning(spindle: Spindle, speed: list[float], **changes: Any) -> Any:
     spec = UnbalanceSpec(("disc",), unbalances=(Unbalance("disc", 1e-4),))
-    return unbalance.answer(scene(spindle, speed, **changes), spec)
+    return unbalance.solve(scene(spindle, speed, **changes), spec)
 
 
 @FORMULATIONS
@@ -559,7 +559,7 @@ def test_the_number_of_modes(machine: Callable[..., Spindle], eta: float) -> Non
     """As many as dense matrices have, each with the signs of its own frequency."""
     speed, highest = [0.0, 4000.0, 9000.0], 2000.0
     found = scene(machine(eta), speed, highest, element_length=0.01)
-    answered = campbell.answer(found, CampbellSpec(highest, shapes=False))
+    answered = campbell.solve(found, CampbellSpec(highest, shapes=False))
     assert set(answered.kind) == {"bending"}
     for row, spin in enumerate(speed):
         dense, count = Circular(found, row), 0
@@ -578,8 +578,8 @@ def test_estimated_errors_are_those_without_losses_nearly() -> None:
         found = scene(spindle, [0.0, 4000.0], 2000.0, accuracy=1e-3)
         errors.append(
             (
-                np.nanmax(campbell.answer(found, CampbellSpec(2000.0)).frequency_error),
-                frf.answer(found, spec).error[0],
+                np.nanmax(campbell.solve(found, CampbellSpec(2000.0)).frequency_error),
+                frf.solve(found, spec).error[0],
             )
         )
     np.testing.assert_allclose(errors[0], errors[1], rtol=0.05)

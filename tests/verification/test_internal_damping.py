@@ -48,7 +48,7 @@ def solved_scene(spindle: Spindle, speed: np.ndarray, **conditions: Any) -> Scen
 
 def answered(spindle: Spindle, speed: list[float], **conditions: Any) -> Any:
     scene = solved_scene(spindle, np.array(speed), **conditions)
-    return campbell.answer(scene, CampbellSpec(150.0, shapes=False))
+    return campbell.solve(scene, CampbellSpec(150.0, shapes=False))
 
 
 def still(spindle: Spindle) -> tuple[float, float]:

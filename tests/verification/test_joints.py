@@ -58,7 +58,7 @@ def test_a_slender_beam_with_a_hinge(spring: float) -> None:
         c, s, t = math.cos(b * half), math.sin(b * half), math.tanh(b * half)
         return rigidity * b * (t * c - s) + 2.0 * 2.0 * spring * c
 
-    found = campbell.answer(scene(hinged(spring), (0.0,), 200.0), CampbellSpec(max_frequency=100.0))
+    found = campbell.solve(scene(hinged(spring), (0.0,), 200.0), CampbellSpec(max_frequency=100.0))
     bent = found.frequency[0, [k for k, kind in enumerate(found.kind) if kind == "bending"]][::2]
     grid = np.linspace(0.05, 8.0, 400)
     crossed = [(a, b) for a, b in pairwise(grid) if closed(a) * closed(b) < 0.0]
@@ -143,7 +143,7 @@ def test_dampers_of_joints_between_two_shafts(rpm: float) -> None:
     poles = tied(rpm, 0.01, (1e3, 3e3, 3e3, 1.0, 20.0, 20.0))
     band = 2 * np.pi * 3000.0
     exact = poles[(poles.imag > 100.0) & (poles.imag < band) & (np.abs(poles) < 1.5 * band)]
-    result = campbell.answer(found, CampbellSpec(max_frequency=3000.0))
+    result = campbell.solve(found, CampbellSpec(max_frequency=3000.0))
     followed = (result.frequency[0] <= 3000.0) & (np.abs(result.pole[0]) < 1.5 * band)
     assert followed.sum() == len(exact) >= 6
     ours = all_poles(found)
@@ -156,11 +156,11 @@ def test_the_finer_elements_agree() -> None:
     rotor = replace(STEPPED, joints=(PARTED,), supports=HELD)
     spec = CampbellSpec(max_frequency=3000.0)
     fine, accurate = (
-        campbell.answer(scene(rotor, (20000.0,), 3000.0, **given), spec)
+        campbell.solve(scene(rotor, (20000.0,), 3000.0, **given), spec)
         for given in ({"element_length": 0.002}, {"accuracy": 1e-6})
     )
     assert fine.frequency == pytest.approx(accurate.frequency, rel=2e-4)
-    coarse = campbell.answer(scene(rotor, (20000.0,), 3000.0, element_length=0.05), spec)
+    coarse = campbell.solve(scene(rotor, (20000.0,), 3000.0, element_length=0.05), spec)
     error = np.abs(coarse.frequency / accurate.frequency - 1.0)[0]
     worst = int(np.argmax(error))
     assert error[worst] > 1e-3
@@ -171,7 +171,7 @@ def test_a_stiff_joint_is_none() -> None:
     spec = CampbellSpec(max_frequency=3000.0)
     plain = replace(STEPPED, supports=HELD, points={"cut": 0.05})
     whole, stiff, along = (
-        campbell.answer(scene(replace(plain, joints=joints), (0.0, 20000.0), 3000.0), spec)
+        campbell.solve(scene(replace(plain, joints=joints), (0.0, 20000.0), 3000.0), spec)
         for joints in (
             (),
             (Joint("j", 0.05, 1e12, 1e11, 1e12, 1e11),),
@@ -230,7 +230,7 @@ def test_two_free_rods_on_a_damped_spring(
     for damper in dampers:
         joint = Joint("j", lengths[0], **{way: spring, f"{way}_damping": damper})
         spindle = Spindle("rods", parted, joints=(joint,), supports=HELD)
-        found = campbell.answer(scene(spindle, (0.0,), 8000.0), CampbellSpec(max_frequency=8000.0))
+        found = campbell.solve(scene(spindle, (0.0,), 8000.0), CampbellSpec(max_frequency=8000.0))
         ours = [k for k, kind in enumerate(found.kind) if kind == way and found.pole[0, k].imag > 1]
         assert ours
         for k in ours:
@@ -276,11 +276,11 @@ def test_radial_stiffness_is_the_receptance_at_rest() -> None:
         spindle, conditions, np.array([0.0, 24000.0]) * RPM, 500.0, tuple(spindle.points.values())
     )
     spec = StiffnessSpec("Oc1", 10.0, steps=1, variants=("full",))
-    tangent = stiffness.answer(found, spec).tangent[:, 0]
-    curve = frf.answer(found, FrfSpec((0.1, 1.0), pairs("Oc1.y/Oc1.y"))).receptance[:, 0, 0]
+    tangent = stiffness.solve(found, spec).tangent[:, 0]
+    curve = frf.solve(found, FrfSpec((0.1, 1.0), pairs("Oc1.y/Oc1.y"))).receptance[:, 0, 0]
     assert 1.0 / np.abs(curve) == pytest.approx(tangent, rel=1e-4)
     stiff = Scene(mfw2310(rotor_damping=()), conditions, found.speed, 500.0)
-    assert tangent[0] < 0.9 * stiffness.answer(stiff, spec).tangent[0, 0]
+    assert tangent[0] < 0.9 * stiffness.solve(stiff, spec).tangent[0, 0]
 
 
 def test_a_point_at_a_joint_is_in_series_with_it_and_said_to_be() -> None:
@@ -292,7 +292,7 @@ def test_a_point_at_a_joint_is_in_series_with_it_and_said_to_be() -> None:
     for joints, x in (((), 0.0), ((joint,), 0.0), ((joint,), 1e-4)):
         spindle = mfw2310(joints=joints, rotor_damping=(), points={"nose": x})
         found = Scene(spindle, conditions, np.array([0.0]), 500.0, (x,))
-        compliance.append(1.0 / stiffness.answer(found, spec).tangent[0, 0])
+        compliance.append(1.0 / stiffness.solve(found, spec).tangent[0, 0])
         said.append([each for each in found.notes if "joint HSK" in each])
     bare, series, behind = compliance
     assert series == pytest.approx(bare + 1.0 / 8e8, rel=1e-6)

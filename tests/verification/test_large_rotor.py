@@ -53,7 +53,7 @@ def scene(spindle: Spindle, spins: tuple[float, ...], highest: float, **given: A
 
 def modes(spindle: Spindle, spins: tuple[float, ...], highest: float, **given: Any) -> Any:
     own = scene(spindle, spins, highest, **given)
-    return campbell.answer(own, CampbellSpec(highest, shapes=False))
+    return campbell.solve(own, CampbellSpec(highest, shapes=False))
 
 
 def bending(result: Any, values: str = "frequency") -> np.ndarray:
@@ -106,7 +106,7 @@ def test_receptances_agree_both_ways(both_ways: Any) -> None:
     def asked() -> np.ndarray:
         spec = FrfSpec(tuple(grid), pairs("tip.y/tip.y", "tip.z/tip.y", "tip.x/tip.x"))
         own = scene(wavy(90), (500.0,), 3000.0)
-        return frf.answer(own, spec).response
+        return frf.solve(own, spec).response
 
     dense, few = both_ways(asked)
     np.testing.assert_allclose(few, dense, rtol=0.0, atol=1e-8 * np.abs(dense).max())

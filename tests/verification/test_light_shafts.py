@@ -37,7 +37,7 @@ def solved(density: float, damping: float, top: float = TOP) -> CampbellResult:
         supports=(held("front", 0.0, damping), held("rear", 0.5, damping)),
     )
     scene = Scene(spindle, Conditions(), np.array([0.0, 1000.0]), top)
-    return campbell.answer(scene, CampbellSpec(top, shapes=False))
+    return campbell.solve(scene, CampbellSpec(top, shapes=False))
 
 
 def bending(result: CampbellResult) -> np.ndarray:

@@ -13,7 +13,7 @@ from scipy.optimize import brentq
 from bearings.materials import Material
 from rotordyn.analyses import CampbellSpec, Conditions
 from rotordyn.analyses.campbell.result import CampbellResult
-from rotordyn.analyses.solving import answer_spindle
+from rotordyn.analyses.solving import solve_spindle
 from rotordyn.machine import Disc, LinearSupport, Section, Shaft, Spindle
 from rotordyn.machine.damping import RayleighDamping
 from tests.oracles.rotors import STEEL
@@ -76,7 +76,7 @@ def truth(
 def solved(spindle: Spindle, **conditions: float) -> CampbellResult:
     asked = {"campbell": CampbellSpec(max_frequency=TOP)}
     own = Conditions(**conditions)  # type: ignore[arg-type]
-    result = answer_spindle(spindle, own, SPEEDS, asked, lambda name: None).results["campbell"]
+    result = solve_spindle(spindle, own, SPEEDS, asked, lambda name: None).results["campbell"]
     assert isinstance(result, CampbellResult)
     return result
 

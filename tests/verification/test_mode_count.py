@@ -31,7 +31,7 @@ def answered(
     spindle: Spindle, speed: list[float], highest: float, **conditions: Any
 ) -> CampbellResult:
     scene = Scene(spindle, Conditions(**conditions), np.array(speed), highest)
-    return campbell.answer(scene, CampbellSpec(highest, shapes=False))
+    return campbell.solve(scene, CampbellSpec(highest, shapes=False))
 
 
 def number(result: CampbellResult, row: int, highest: float, *kinds: str) -> int:

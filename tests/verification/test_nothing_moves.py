@@ -45,12 +45,12 @@ def test_a_rigid_rotor_held_rigidly_has_no_modes_and_does_not_respond(
     supports: list[LinearSupport],
 ) -> None:
     scene = Scene(held(*supports), Conditions(rotor="rigid"), SPEEDS, 500.0, (0.5,))
-    assert campbell.answer(scene, CampbellSpec(500.0)).mode == ()
+    assert campbell.solve(scene, CampbellSpec(500.0)).mode == ()
     assert scene.warnings == ()
-    answered = frf.answer(scene, FrfSpec((10.0, 100.0), ((TIP, TIP),)))
+    answered = frf.solve(scene, FrfSpec((10.0, 100.0), ((TIP, TIP),)))
     assert not answered.receptance.any()
     spec = UnbalanceSpec(("tip",), (Unbalance("tip", 1e-5),))
-    assert not unbalance.answer(scene, spec).displacement.any()
+    assert not unbalance.solve(scene, spec).displacement.any()
 
 
 def test_unbalance_of_a_rotor_that_stands_still_moves_nothing() -> None:
@@ -63,7 +63,7 @@ def test_unbalance_of_a_rotor_that_stands_still_moves_nothing() -> None:
     machine = replace(machine, supports=(*machine.supports, *ground), rotors=(sleeve,))
     scene = Scene(machine, Conditions(), SPEEDS, 500.0)
     spec = UnbalanceSpec(("sleeve.out",), (Unbalance("sleeve.out", 1e-5),))
-    found = unbalance.answer(scene, spec)
+    found = unbalance.solve(scene, spec)
     assert not found.displacement.any()
     assert found.critical == ()
 
@@ -74,6 +74,6 @@ def test_a_response_that_symmetry_makes_zero_has_no_error() -> None:
     machine = replace(machine, points={"middle": 0.25})
     pair = Port("middle", "y"), Port("middle", "thz")
     scene = Scene(machine, Conditions(), SPEEDS[:1], 500.0, (0.25,))
-    found = frf.answer(scene, FrfSpec((10.0, 300.0), (pair,)))
+    found = frf.solve(scene, FrfSpec((10.0, 300.0), (pair,)))
     assert np.abs(found.receptance).max() < 1e-15
     assert found.error.tolist() == [0.0]

@@ -14,10 +14,10 @@ from numpy.typing import NDArray
 from bearings import AngularContactBallBearing, Material
 from bearings.materials import STEEL
 from rotordyn.analyses import PreloadSpec, ThermalPreloadSpec
-from rotordyn.analyses.preload.solve import answer as preload_answer
+from rotordyn.analyses.preload.solve import solve as preload_answer
 from rotordyn.analyses.preload.summary import summary as preload_summary
 from rotordyn.analyses.thermal_preload.figures import figures, headline_curves
-from rotordyn.analyses.thermal_preload.solve import answer
+from rotordyn.analyses.thermal_preload.solve import solve as solve_thermal_preload
 from rotordyn.analyses.thermal_preload.summary import numbers, summary, warnings
 from rotordyn.errors import InvalidInput
 from rotordyn.machine import BearingTemperatures, Fits, RingGrowth, Temperatures
@@ -369,7 +369,7 @@ def test_a_steel_spindle_that_is_as_warm_all_over_keeps_its_rigid_preload() -> N
 
 def test_a_difference_without_a_state_says_why() -> None:
     found = scene(spindle(), [0.0, 8000.0], Temperatures(shaft=25.0, housing=22.0))
-    result = answer(found, ThermalPreloadSpec(differences=(0.0, 150.0, 200.0)))
+    result = solve_thermal_preload(found, ThermalPreloadSpec(differences=(0.0, 150.0, 200.0)))
     lost = np.isnan(result.axial_load).any(axis=-1)
     assert lost.tolist() == (result.state != "").tolist() == [[False, True, True]] * 2
     assert all("preload lost" in word for word in result.state[lost])
@@ -402,7 +402,7 @@ def test_preload_over_temperature_difference() -> None:
     """Each difference is the state of a case of its own; the difference 0 is that of the case."""
     base = Temperatures(shaft=25.0, housing=22.0)
     found = scene(spindle(), [0.0, 8000.0], base)
-    result = answer(found, ThermalPreloadSpec(differences=(-4.0, 0.0, 4.0)))
+    result = solve_thermal_preload(found, ThermalPreloadSpec(differences=(-4.0, 0.0, 4.0)))
     assert result.axial_load[:, 1] == pytest.approx(found.preload.seat_load(), rel=1e-12)
     other = Temperatures(shaft=29.0, housing=22.0)
     direct = scene(spindle(), [0.0, 8000.0], other).preload

@@ -41,7 +41,7 @@ def test_the_error_of_an_overdamped_mode_is_known(damping: float) -> None:
     spindle = Spindle("damped", shaft, supports=supports)
     truth = dense_poles(spindle, 2000.0, 6000.0, 1e-8)
     scene = Scene(spindle, Conditions(accuracy=1e-5), np.array([2000.0]), 3000.0)
-    found = campbell.answer(scene, CampbellSpec(3000.0, shapes=False))
+    found = campbell.solve(scene, CampbellSpec(3000.0, shapes=False))
     slow = found.overdamped[0]
     pole, told = found.pole[0, slow], found.frequency_error[0, slow]
     nearest = truth[np.abs(truth[:, None] - pole).argmin(axis=0)]
@@ -69,7 +69,7 @@ def test_the_error_of_a_mode_that_is_overdamped_at_some_speeds_is_said() -> None
     shaft = Shaft(0.0, (Section(0.5, 0.05, 0.0, STEEL),))
     spindle = Spindle("damped", shaft, supports=supports)
     scene = Scene(spindle, Conditions(accuracy=1e-5), np.array(speeds), 3000.0)
-    found = campbell.answer(scene, CampbellSpec(3000.0, shapes=False))
+    found = campbell.solve(scene, CampbellSpec(3000.0, shapes=False))
     assert (found.overdamped.any(axis=0) & ~found.mostly_overdamped).any()
     assert "overdamped" in found.unconverged
 
@@ -91,7 +91,7 @@ def test_a_rigid_rotor_whose_damper_grows_with_speed() -> None:
     middle = LinearSupport("s", 0.2, entries, dampers, speeds=SPEEDS)
     spindle = Spindle("rigid", shaft, supports=(middle,))
     scene = Scene(spindle, Conditions(rotor="rigid"), np.array(SPEEDS), 500.0)
-    found = campbell.answer(scene, CampbellSpec(500.0))
+    found = campbell.solve(scene, CampbellSpec(500.0))
     modes = [k for k, kind in enumerate(found.kind) if kind == "bending"]
     assert len(modes) == 2
     for k in modes:

@@ -13,7 +13,7 @@ import rotordyn
 from bearings import Material
 from rotordyn.analyses import CampbellSpec, Conditions
 from rotordyn.analyses.campbell.result import CampbellResult
-from rotordyn.analyses.solving import answer_spindle
+from rotordyn.analyses.solving import solve_spindle
 from rotordyn.machine import LinearSupport, RayleighDamping, Section, Shaft, Spindle
 from rotordyn.machine.inertia import rotor_inertia
 from tests.oracles.spindles import RPM
@@ -36,7 +36,7 @@ def bar(stiffness: float, **changes: object) -> Spindle:
 
 def modes(spindle: Spindle, highest: float, rpm: float = 0.0, **own: str) -> CampbellResult:
     asked = {"campbell": CampbellSpec(max_frequency=highest, shapes=False)}
-    found = answer_spindle(spindle, Conditions(**own), (rpm * RPM,), asked, lambda name: None)  # type: ignore[arg-type]
+    found = solve_spindle(spindle, Conditions(**own), (rpm * RPM,), asked, lambda name: None)  # type: ignore[arg-type]
     result = found.results["campbell"]
     assert isinstance(result, CampbellResult)
     return result

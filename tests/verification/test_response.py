@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rotordyn.analyses.frf.solve import answer
+from rotordyn.analyses.frf.solve import solve
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.measured_response import Port
 from rotordyn.equation.mesh import build_mesh
@@ -48,7 +48,7 @@ def seen(spindle: Spindle, rpm: float, asked: Any = ASKED, **more: Any) -> Scene
 
 
 def response(spindle: Spindle, rpm: float, asked: Any = ASKED, **more: Any) -> Any:
-    return answer(seen(spindle, rpm, asked, **more), FrfSpec(BAND, asked))
+    return solve(seen(spindle, rpm, asked, **more), FrfSpec(BAND, asked))
 
 
 def values(result: Any) -> np.ndarray:
@@ -86,7 +86,7 @@ def test_a_spindle_under_axial_force_and_on_bearings() -> None:
     ports = tuple({spindle.place(port.point) for pair in asked for port in pair})
     conditions = Conditions(element_length=0.02)
     scene = Scene(spindle, conditions, np.array([18000.0 * RPM]), BAND[-1], ports)
-    found = answer(scene, FrfSpec(BAND, asked))
+    found = solve(scene, FrfSpec(BAND, asked))
     force = scene.bending_force()
     full = FullRotor(
         spindle, scene.mesh, scene.seat_stiffness[0], scene.speed[0], LATERAL, force[0]
@@ -165,7 +165,7 @@ def test_growth_is_reported_with_a_response() -> None:
     spindle = replace(ROTOR, supports=supports)
     ports = (spindle.place("tip"),)
     scene = Scene(spindle, Conditions(), np.array([1000.0 * RPM]), BAND[-1], ports)
-    answer(scene, FrfSpec(BAND, pairs("tip.y/tip.y")))
+    solve(scene, FrfSpec(BAND, pairs("tip.y/tip.y")))
     assert "unstable at 1 of 1 speeds" in "".join(scene.warnings)
 
 
@@ -180,7 +180,7 @@ def test_rounding_of_short_elements_is_small(speed: float) -> None:
     )
     asked, band = pairs("tip.y/tip.y", "tip.z/tip.y"), np.array([0.1, 0.3, 1.0])
     scene = Scene(bar, Conditions(), np.array([speed * RPM]), 1.0, (0.0,))
-    found = answer(scene, FrfSpec(tuple(band), asked))
+    found = solve(scene, FrfSpec(tuple(band), asked))
     mass = STEEL.density * math.pi / 4.0 * outer**2 * length
     across, along = mass * (length**2 / 12.0 + outer**2 / 16.0), mass * outer**2 / 8.0
     omega = 2.0 * math.pi * band

@@ -61,7 +61,7 @@ def spring(name: str, x: float, stiffness: float, *ways: str, damping: float = 0
 
 def bending(spindle: Spindle, highest: float = 6000.0, conditions: Conditions = FINE) -> Any:
     """Frequencies of bending (speeds, modes) [Hz], ascending."""
-    found = campbell.answer(Scene(spindle, conditions, SPEEDS, highest), CampbellSpec(highest))
+    found = campbell.solve(Scene(spindle, conditions, SPEEDS, highest), CampbellSpec(highest))
     return np.sort(found.frequency[:, [kind == "bending" for kind in found.kind]], axis=1)
 
 
@@ -69,12 +69,12 @@ def response(spindle: Spindle, *pair: str, conditions: Conditions = FINE) -> Any
     ports = tuple(Port(*end.split(".")) for end in pair)
     spec = FrfSpec(tuple(np.linspace(20.0, 1500.0, 60)), ((ports[0], ports[1]),))
     scene = Scene(spindle, conditions, SPEEDS, 1500.0, (0.2, LENGTH))
-    return frf.answer(scene, spec).receptance[:, 0]  # type: ignore[attr-defined]
+    return frf.solve(scene, spec).receptance[:, 0]  # type: ignore[attr-defined]
 
 
 def whirling(spindle: Spindle, point: str = "mid") -> Any:
     spec = UnbalanceSpec((point,), (Unbalance(point, 1e-5),))
-    return unbalance.answer(Scene(spindle, FINE, SPEEDS, 500.0, (0.2, LENGTH)), spec)
+    return unbalance.solve(Scene(spindle, FINE, SPEEDS, 500.0, (0.2, LENGTH)), spec)
 
 
 def test_pinned_beam_in_closed_form() -> None:
@@ -122,7 +122,7 @@ def test_reactions_of_unbalance_balance_the_inertia() -> None:
     rigid = replace(FINE, rotor="rigid")
     spindle = beam(pin("a", 0.0), pin("b", LENGTH))
     spec = UnbalanceSpec(("mid",), (Unbalance("mid", 1e-5),))
-    found = unbalance.answer(Scene(spindle, rigid, SPEEDS, 500.0, (0.2,)), spec)
+    found = unbalance.solve(Scene(spindle, rigid, SPEEDS, 500.0, (0.2,)), spec)
     share = np.array([1.0 - 0.2 / LENGTH, 0.2 / LENGTH])
     assert np.abs(found.displacement).max() < 1e-20
     assert found.force[..., 0] == pytest.approx(-1e-5 * np.outer(SPEEDS**2, share), rel=1e-9)
@@ -132,9 +132,9 @@ def test_statics_are_those_of_section_forces() -> None:
     """A slow force bends the shaft as a static one, on three pins, one more than needed."""
     held = beam(pin("a", 0.0), pin("b", 0.3), pin("c", LENGTH))
     spec = SectionForcesSpec(loads=(PointLoad("mid", Fy=1000.0),))
-    line = section_forces.answer(Scene(held, FINE, np.zeros(1)), spec)
+    line = section_forces.solve(Scene(held, FINE, np.zeros(1)), spec)
     ports = (Port("mid", "y"), Port("mid", "y"))
-    slow = frf.answer(Scene(held, FINE, np.zeros(1), 1000.0, (0.2,)), FrfSpec((0.01,), (ports,)))
+    slow = frf.solve(Scene(held, FINE, np.zeros(1), 1000.0, (0.2,)), FrfSpec((0.01,), (ports,)))
     at = np.abs(line.cut - 0.2).argmin()
     static = line.deflection_y[0, at] / 1000.0
     assert slow.receptance[0, 0, 0].real == pytest.approx(static, rel=1e-7)  # type: ignore[attr-defined]
@@ -171,7 +171,7 @@ def test_a_rotor_that_cannot_move() -> None:
     every = pin("a", 0.0, "x", "y", "z", "thx", "thy", "thz")
     conditions = replace(FINE, rotor="rigid")
     scene = Scene(beam(every), conditions, SPEEDS, 1000.0)
-    assert campbell.answer(scene, CampbellSpec(1000.0)).mode == ()
+    assert campbell.solve(scene, CampbellSpec(1000.0)).mode == ()
     assert not response(beam(every), "mid.y", "mid.y", conditions=conditions).any()
 
 
@@ -180,7 +180,7 @@ def test_what_acts_on_a_rigid_support_moves_nothing() -> None:
     spindle = beam(pin("a", 0.0), spring("b", LENGTH, 5e7, damping=1e3))
     spindle = replace(spindle, points={**spindle.points, "held": 0.0})
     spec: Any = UnbalanceSpec(("mid", "end"), (Unbalance("held", 1e-5),), run_up=(1.0,))
-    found = unbalance.answer(Scene(spindle, Conditions(), SPEEDS, 500.0, (0.0, 0.2, LENGTH)), spec)
+    found = unbalance.solve(Scene(spindle, Conditions(), SPEEDS, 500.0, (0.0, 0.2, LENGTH)), spec)
     assert not found.displacement.any()
     assert not found.run_amplitude.any()
     assert not found.error.any()
@@ -191,7 +191,7 @@ def test_what_acts_on_a_rigid_support_moves_nothing() -> None:
     blow = ForceOverTime("held", "y", force=100.0, pulse=5e-3)
     spec = TimeResponseSpec(duration=0.02, points=("mid",), forces=(blow,), max_frequency=500.0)
     scene = Scene(spindle, Conditions(), np.array([100.0]), 500.0, (0.0, 0.2))
-    after: Any = time_response.answer(scene, spec)
+    after: Any = time_response.solve(scene, spec)
     assert not after.displacement.any()
     assert not after.error.any()
 
@@ -246,7 +246,7 @@ def test_forces_that_more_supports_than_needed_share_are_said_not_to_be_determin
     pins = pin("one", 0.0), pin("two", 0.2), pin("three", LENGTH)
     scene = Scene(beam(*pins), Conditions(rotor="rigid"), np.array([0.0, 300.0]), 500.0)
     asked = UnbalanceSpec(points=("mid",), unbalances=(Unbalance(0.2, 1e-6),), run_up=(1.0,))
-    found = unbalance.answer(scene, asked)
+    found = unbalance.solve(scene, asked)
     assert np.isnan(found.fine_force_amplitude).all()
     assert np.isnan(found.run_force_peak).all()
     (line,) = (each for each in summary(found) if "largest force" in each)

@@ -61,7 +61,7 @@ def above(found: np.ndarray, highest: float = HIGHEST) -> np.ndarray:
 
 
 def receptance(found: Scene, names: tuple[str, ...]) -> np.ndarray:
-    return frf.answer(found, FrfSpec(tuple(FREQUENCY), pairs(*names))).receptance
+    return frf.solve(found, FrfSpec(tuple(FREQUENCY), pairs(*names))).receptance
 
 
 def dense(found: Scene, row: int, names: tuple[str, ...]) -> np.ndarray:
@@ -236,7 +236,7 @@ def test_screw_leaves_bending_in_its_complex_form() -> None:
     screw = {("x", "x"): 4e7, ("thx", "thx"): 3e4, ("x", "thx"): 5e5, ("thx", "x"): 5e5}
     ends[0] = replace(ends[0], stiffness={**ends[0].stiffness, **screw})
     found = Scene(on(*ends), Conditions(rotor="rigid"), np.array([0, 20000]) * RPM, HIGHEST)
-    answer = campbell.answer(found, CampbellSpec(HIGHEST))
+    answer = campbell.solve(found, CampbellSpec(HIGHEST))
     (bending,), (screw_motion,) = (found.with_motions((m,)) for m in ("bending", "axial"))
     assert found.linear(bending).isotropic
     assert found.name_of(screw_motion) == "axial and torsion"
@@ -261,7 +261,7 @@ def test_rigid_rotation_along_a_screw_is_no_vibration() -> None:
     screw = {(a, b): 4e7 * row[a] * row[b] for a, b in product(row, row)}
     ends[0] = replace(ends[0], stiffness={**ends[0].stiffness, **screw, ("y", "y"): 9e7})
     found = Scene(on(*ends), Conditions(rotor="rigid"), np.array([0, 20000]) * RPM, HIGHEST)
-    answer = campbell.answer(found, CampbellSpec(HIGHEST))
+    answer = campbell.solve(found, CampbellSpec(HIGHEST))
     assert sorted(answer.kind).count("bending") == 4
     assert len(answer.mode) == 5
     assert found.warnings == ()
@@ -279,7 +279,7 @@ def test_veering_modes_are_named_after_what_they_mostly_are() -> None:
     rotor = replace(case("friswell_cross_coupled").spindle, supports=supports)
     for step in (100, 400):
         speed = np.arange(0, 4001, step) * RPM
-        found = campbell.answer(Scene(rotor, Conditions(), speed, 150.0), CampbellSpec(150.0))
+        found = campbell.solve(Scene(rotor, Conditions(), speed, 150.0), CampbellSpec(150.0))
         line = dict(zip(found.mode, found.frequency.T, strict=True))
         assert np.ptp(line["torsion 2"]) < 2.5
         assert np.ptp(line["bending 5"]) > 15.0

@@ -254,7 +254,7 @@ def test_critical_speeds_of_each_rotor_by_closed_form(ratio: float) -> None:
     """K φ = ω² (M − P/r) φ at ω = r Ω, forward, and with the other sign backward."""
     mass, stiffness, polar = four_freedoms(ratio)
     top = 12000.0 * RPM
-    found = campbell.answer(
+    found = campbell.solve(
         scene(rigid_pair(ratio), (0.0, 12000.0), 900.0, rotor="rigid"),
         CampbellSpec(900.0, engine_orders=(0.43, 1, 1.5, 2)),
     )
@@ -346,8 +346,8 @@ def test_the_number_of_modes_is_the_same_whichever_rotor_is_the_first() -> None:
     joint = TURNING_DAMPERS["joints"]
     machine = replace(COAXIAL, rotors=(replace(OUTER, joints=joint),))
     spec = CampbellSpec(400.0, shapes=False, engine_orders=())
-    ours = campbell.answer(scene(machine, (9000.0,), 400.0), spec)
-    theirs = campbell.answer(scene(swapped(machine), (13500.0,), 400.0), spec)
+    ours = campbell.solve(scene(machine, (9000.0,), 400.0), spec)
+    theirs = campbell.solve(scene(swapped(machine), (13500.0,), 400.0), spec)
     counts = [(each.frequency[0] <= 400.0).sum() for each in (ours, theirs)]
     assert counts[0] == counts[1] > 5
 
@@ -424,7 +424,7 @@ def test_responses_across_rotors_by_dense_matrices(
 ) -> None:
     ports = tuple(Port(*text.rsplit(".", 1)) for text in (response, excitation))
     frequency = (7.0, 61.0, 133.0, 304.0, 611.0)
-    found = frf.answer(damped, FrfSpec(frequency, ((ports[0], ports[1]),)))
+    found = frf.solve(damped, FrfSpec(frequency, ((ports[0], ports[1]),)))
     assert found.error.max() < 1e-3
     for row, speed in enumerate(damped.speed):
         dense = Together(DAMPED, ELEMENT, float(speed))
@@ -437,7 +437,7 @@ def test_responses_across_rotors_by_dense_matrices(
 
 
 def test_the_number_of_modes(damped: Scene) -> None:
-    found = campbell.answer(damped, CampbellSpec(1000.0, shapes=False, engine_orders=()))
+    found = campbell.solve(damped, CampbellSpec(1000.0, shapes=False, engine_orders=()))
     for row, speed in enumerate(damped.speed):
         expected = Together(DAMPED, ELEMENT, float(speed)).poles(1000.0)
         assert (found.frequency[row] <= 1000.0).sum() == len(expected)
@@ -447,7 +447,7 @@ def test_the_error_of_coarse_elements_is_estimated() -> None:
     """Against nearly exact ones: at most twice as large as told, and not a tenth of it."""
     fine = swinging(scene(COAXIAL, (9000.0,), 900.0))
     coarse = scene(COAXIAL, (9000.0,), 900.0, element_length=0.25)
-    found = campbell.answer(coarse, CampbellSpec(900.0, shapes=False))
+    found = campbell.solve(coarse, CampbellSpec(900.0, shapes=False))
     bending = np.array(found.kind) == "bending"
     frequency = np.sort(found.frequency[0, bending])[:8]
     told = found.frequency_error[0, bending][np.argsort(found.frequency[0, bending])][:8]
@@ -491,7 +491,7 @@ def test_unbalance_of_the_outer_rotor_in_closed_form(ratio: float) -> None:
     """(K + ω Ω P − ω² M) q = U ω² e^(iα) at ω = r Ω; circular, the way the outer rotor turns."""
     mass, stiffness, polar = four_freedoms(ratio)
     machine = scene(rigid_pair(ratio), (0.0, 3000.0, 9000.0, 30000.0), 900.0, rotor="rigid")
-    found = unbalance.answer(machine, out_of_balance("outer.e", "t", "outer.e"))
+    found = unbalance.solve(machine, out_of_balance("outer.e", "t", "outer.e"))
     assert (found.rotor, found.speed_ratio) == ("outer", ratio)
     at = {"t": np.array([1.0, 0.05 - 0.25, 0.0, 0.0]), "outer.e": np.array([0.0, 0.0, 1.0, 0.125])}
     assert not found.amplitude[0].any()
@@ -513,7 +513,7 @@ def test_unbalance_of_the_outer_rotor_in_closed_form(ratio: float) -> None:
 @pytest.mark.parametrize("at", ["d1", "outer.d3", "quill.head"])
 def test_unbalance_of_each_rotor_by_dense_matrices(at_speed: Scene, at: str) -> None:
     names = ("d4", "outer.d2", "quill.head")
-    found = unbalance.answer(at_speed, out_of_balance(at, *names))
+    found = unbalance.solve(at_speed, out_of_balance(at, *names))
     ratio, speed = DAMPED.ratios[DAMPED.places[at].rotor], float(at_speed.speed[0])
     dense, omega = Together(DAMPED, ELEMENT, speed), abs(ratio) * speed
     size = SIZE * omega**2 * np.exp(1j * ANGLE * np.sign(ratio))
@@ -534,7 +534,7 @@ def test_unbalance_of_each_rotor_by_dense_matrices(at_speed: Scene, at: str) -> 
 
 
 def test_the_force_of_an_intershaft_bearing_is_what_it_transmits(at_speed: Scene) -> None:
-    found = unbalance.answer(at_speed, out_of_balance("outer.d3", "d1"))
+    found = unbalance.solve(at_speed, out_of_balance("outer.d3", "d1"))
     speed = float(at_speed.speed[0])
     dense, omega = Together(DAMPED, ELEMENT, speed), 1.2 * speed
     b3 = DAMPED.supports[2]
@@ -566,10 +566,10 @@ def test_a_span_and_a_grade_of_the_outer_rotor(ratio: float) -> None:
     body = rotor_inertia(machine.spindle.part("outer"))
     whole = UnbalanceSpec(("t",), spans=(EccentricSpan("outer.a", "outer.b", 1e-5),))
     graded = UnbalanceSpec(("t",), grade=BalanceGrade(2.5e-3, 1000.0, ("outer.m",)))
-    ours = [unbalance.answer(machine, spec).displacement for spec in (whole, graded)]
+    ours = [unbalance.solve(machine, spec).displacement for spec in (whole, graded)]
     for found, size in zip(ours, (1e-5 * body.mass, 2.5e-3 * body.mass / 1700.0), strict=True):
         one = UnbalanceSpec(("t",), unbalances=(Unbalance("outer.m", size),))
-        assert found == pytest.approx(unbalance.answer(machine, one).displacement, rel=1e-9)
+        assert found == pytest.approx(unbalance.solve(machine, one).displacement, rel=1e-9)
 
 
 # --- refusals ------------------------------------------------------------------------------------

@@ -12,7 +12,7 @@ import rotordyn
 from rotordyn.analyses.unbalance.orbit import orbit
 from rotordyn.analyses.unbalance.run_up import Parts, Run, blended
 from rotordyn.analyses.unbalance.runs import BETWEEN, SHOWN, _peaks, _SpeedRange
-from rotordyn.analyses.unbalance.solve import answer
+from rotordyn.analyses.unbalance.solve import solve
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.analyses.unbalance.steady import displacement_rows, load_of, out_of_balance
 from rotordyn.equation.dofs import DIRECTIONS
@@ -360,7 +360,7 @@ def test_peaks_narrower_than_the_instants_are_the_steady_ones(natural, down):
     spec = UnbalanceSpec(("middle",), (Unbalance("middle", 1e-6),), **asked)
     speeds = np.array([0.0, 24000.0]) * RATED
     scene = Scene(machine, Conditions(rotor="rigid"), speeds, 400.0, (machine.place("middle"),))
-    found = answer(scene, spec)
+    found = solve(scene, spec)
     steady = 1e-6 / mass / (2.0 * ratio * np.sqrt(1.0 - ratio**2))
     assert found.run_peak[0, 0] == pytest.approx(steady, rel=1e-3)
     assert found.run_peak_speed[0, 0] == pytest.approx(natural, rel=1e-5)
@@ -383,7 +383,7 @@ def undamped(first, last, **runs):
     spec = UnbalanceSpec(("middle",), (Unbalance("middle", 1e-5),), **runs)
     speeds = np.array([first, last]) * natural
     scene = Scene(machine, Conditions(rotor="rigid"), speeds, 200.0, (machine.place("middle"),))
-    return natural, answer(scene, spec)
+    return natural, solve(scene, spec)
 
 
 @pytest.mark.parametrize("down", [False, True])

@@ -29,7 +29,7 @@ from rotordyn.analyses import (
 )
 from rotordyn.analyses.section_forces.result import SectionForcesResult
 from rotordyn.analyses.section_forces.summary import warnings
-from rotordyn.analyses.solving import answer_spindle
+from rotordyn.analyses.solving import solve_spindle
 from rotordyn.errors import InvalidInput
 from rotordyn.machine import Disc, Drawbar, Joint, LinearSupport, PointMass, Section, Shaft, Spindle
 from rotordyn.machine.inertia import rotor_inertia
@@ -63,7 +63,7 @@ def solved(
     own = conditions or Conditions()
     speeds = tuple(n * RPM for n in rpm)
     spec = SectionForcesSpec(loads=loads, **asked)
-    found = answer_spindle(spindle, own, speeds, {"section_forces": spec}, lambda name: None)
+    found = solve_spindle(spindle, own, speeds, {"section_forces": spec}, lambda name: None)
     result = found.results["section_forces"]
     assert isinstance(result, SectionForcesResult)
     return result
@@ -597,7 +597,7 @@ def receptance(spindle: Spindle, conditions: Conditions) -> Any:
     """Motion of the nose in y and z by 100 N in y."""
     pairs = tuple((Port("nose", way), Port("nose", "y")) for way in "yz")
     spec = FrfSpec(frequencies=(0.01, 0.02), pairs=pairs)
-    found = answer_spindle(spindle, conditions, (0.0,), {"frf": spec}, lambda name: None)
+    found = solve_spindle(spindle, conditions, (0.0,), {"frf": spec}, lambda name: None)
     return 100.0 * found.results["frf"].receptance[0, :, 0]
 
 

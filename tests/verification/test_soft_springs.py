@@ -58,7 +58,7 @@ def test_rigid_body_on_two_springs(soft: float, spin: float) -> None:
     truth = bounce_and_pitch(stiffness, spin)
     spindle = slender(*stiffness)
     found = Scene(spindle, Conditions(accuracy=1e-6), np.array([spin]), BAND)
-    result = campbell.answer(found, CampbellSpec(BAND, shapes=False))
+    result = campbell.solve(found, CampbellSpec(BAND, shapes=False))
     order = result.frequency[0].argsort()[:4]
     ours = 2.0 * math.pi * result.frequency[0, order]
     assert ours == pytest.approx(np.abs(truth), rel=2e-9 * soft / 1e-6 + 1e-10)
@@ -76,7 +76,7 @@ def test_only_what_nothing_holds_is_left_out(
     """Free, hinged on one spring, and hinged with a spring of 10⁻⁹ of it: slow, not free."""
     conditions = Conditions(accuracy=1e-4, formulation=formulation)
     found = Scene(slender(*springs), conditions, np.array([0.0]), BAND)
-    result = campbell.answer(found, CampbellSpec(BAND, shapes=False))
+    result = campbell.solve(found, CampbellSpec(BAND, shapes=False))
     bending = [k for k, kind in enumerate(result.kind) if kind == "bending"]
     frequency = np.sort(result.frequency[0, bending])
     assert (frequency < 0.1).sum() == 2 * slow
@@ -95,7 +95,7 @@ def test_lowest_modes_against_sixty_digits(seed: int) -> None:
     spin = rng.uniform(0.0, 5.0) * still[0]
     highest = 1.02 * still[5] / (2.0 * math.pi)
     found = Scene(spindle, Conditions(accuracy=1e-6), np.array([spin]), highest)
-    result = campbell.answer(found, CampbellSpec(highest, shapes=False))
+    result = campbell.solve(found, CampbellSpec(highest, shapes=False))
     exact = exact_rotor(spindle, spin, NO_SEATS)
     for direction in (-1, 1):
         own = np.flatnonzero(result.whirl[0] == direction)

@@ -63,7 +63,7 @@ def axial(found: Scene, row: int) -> np.ndarray:
 
 def ours(found: Scene) -> np.ndarray:
     spec = FrfSpec(tuple(FREQUENCY), pairs("Oc2.x/Oc2.x"))
-    return frf.answer(found, spec).receptance[:, 0]
+    return frf.solve(found, spec).receptance[:, 0]
 
 
 @pytest.mark.parametrize("row", [0, 1], ids=["rest", "24000 rpm, front stop closed"])
@@ -94,7 +94,7 @@ def test_no_mode_of_a_shaft_held_as_if_sleeves_could_not_slide() -> None:
     mass = 21.35
     grounded = math.sqrt(found.seat_stiffness[0, :, 0, 0].sum() / mass) / (2 * math.pi)
     sliding = math.sqrt(_series(found) / mass) / (2 * math.pi)
-    modes = campbell.answer(found, CampbellSpec(2000.0))
+    modes = campbell.solve(found, CampbellSpec(2000.0))
     axial = [f for f, kind in zip(modes.frequency[0], modes.kind, strict=True) if kind == "axial"]
     assert len(axial) == 1
     assert axial[0] == pytest.approx(sliding, rel=0.03)
@@ -113,7 +113,7 @@ def test_closed_stop_grounds_its_sleeve() -> None:
     tight = with_sleeve(BARE, "front", stop_travel=0.0)
     found = scene(tight, (6000,), ports=(-0.0524,))
     assert found.preload.net.held[0, 1]
-    low = frf.answer(found, FrfSpec((0.01,), pairs("Oc2.x/Oc2.x"))).receptance[0, 0, 0].real
+    low = frf.solve(found, FrfSpec((0.01,), pairs("Oc2.x/Oc2.x"))).receptance[0, 0, 0].real
     _, _, stiffness = axial_matrices(found, 0)
     node = found.mesh.node_of(-0.0524)
     assert low == pytest.approx(np.linalg.inv(stiffness)[node, node], rel=1e-3)
@@ -143,7 +143,7 @@ def test_a_heavy_sleeve_is_a_mass_of_its_own() -> None:
 @pytest.mark.parametrize("spindle", [BARE, mfw2310()], ids=["undamped", "damped"])
 def test_torsion_is_free_and_does_not_know_the_speed(spindle: Spindle) -> None:
     found = scene(spindle, (0, 24000))
-    modes = campbell.answer(found, CampbellSpec(6000.0))
+    modes = campbell.solve(found, CampbellSpec(6000.0))
     torsion = [k for k, kind in enumerate(modes.kind) if kind == "torsion"]
     rod = torsion_rod(spindle, found.mesh)
     exact = np.sqrt(eigh(rod.stiffness, rod.mass, eigvals_only=True)[1:]) / (2 * math.pi)
@@ -159,10 +159,10 @@ def test_torsion_is_free_and_does_not_know_the_speed(spindle: Spindle) -> None:
 def test_axial_and_lateral_pairs_in_one_question() -> None:
     found = scene(BARE, (0, 24000), ports=(-0.0524,))
     spec = FrfSpec((100.0, 900.0), pairs("Oc2.y/Oc2.y", "Oc2.x/Oc2.x", "Oc2.thx/Oc2.thx"))
-    h = frf.answer(found, spec).receptance
+    h = frf.solve(found, spec).receptance
     assert np.isfinite(h).all()
     alone = FrfSpec((100.0, 900.0), pairs("Oc2.x/Oc2.x"))
-    assert (frf.answer(found, alone).receptance[:, 0] == h[:, 1]).all()
+    assert (frf.solve(found, alone).receptance[:, 0] == h[:, 1]).all()
 
 
 def test_free_spin_answers_a_torque_with_its_inertia() -> None:
@@ -170,7 +170,7 @@ def test_free_spin_answers_a_torque_with_its_inertia() -> None:
     found = scene(mfw2310(), (0, 24000), ports=(-0.0524,))
     frequency = np.array([10.0, 100.0, 1000.0, 2900.0])
     spec = FrfSpec(tuple(frequency), pairs("Oc2.thx/Oc2.thx"))
-    h = frf.answer(found, spec).receptance[:, 0]
+    h = frf.solve(found, spec).receptance[:, 0]
     polar = rotor_inertia(found.spindle).polar
     assert h[:, 0] == pytest.approx(np.full(2, -1.0 / (polar * (20 * math.pi) ** 2)), rel=1e-3)
     rod = torsion_rod(found.spindle, found.mesh)

@@ -57,8 +57,8 @@ def test_modes_are_followed_through_the_joint_system() -> None:
     """Weakly coupled: the flagship's own diagram, mode by mode, over the whole range."""
     weak = {("y", "thx"): 10.0, ("thx", "y"): 10.0, ("x", "y"): 100.0}
     rpm, spec = tuple(range(0, 24001, 3000)), CampbellSpec(3500.0)
-    plain = campbell.answer(scene(mfw2310(), rpm), spec)
-    ours = campbell.answer(scene(with_support(weak), rpm, ports=()), spec)
+    plain = campbell.solve(scene(mfw2310(), rpm), spec)
+    ours = campbell.solve(scene(with_support(weak), rpm, ports=()), spec)
     assert sorted(ours.kind) == sorted(plain.kind)
     for kind in ("bending", "axial", "torsion"):
         a, b = (np.sort(r.frequency[:, [k == kind for k in r.kind]], axis=1) for r in (plain, ours))
@@ -72,9 +72,7 @@ def test_modes_are_followed_through_the_joint_system() -> None:
 
 def test_shapes_show_what_moves_along() -> None:
     """A strong x–y coupling: bending modes move along the axis too; torsion stays silent."""
-    found = campbell.answer(
-        scene(with_support({("x", "y"): 5e7}), (0, 24000)), CampbellSpec(3000.0)
-    )
+    found = campbell.solve(scene(with_support({("x", "y"): 5e7}), (0, 24000)), CampbellSpec(3000.0))
     bending = [k for k, kind in enumerate(found.kind) if kind == "bending"]
     shape = found.shape[1, bending]
     assert np.abs(shape[..., :3]).max(axis=(1, 2)) == pytest.approx(1.0)
@@ -86,7 +84,7 @@ def test_one_way_coupling_answers_one_way() -> None:
     """x_y: a lateral force moves the shaft along the axis; an axial force bends nothing."""
     found = scene(with_support({("x", "y"): 1e7}), (0, 24000), ports=(HERE, -0.0524))
     spec = FrfSpec((50.0, 500.0), pairs("Oc2.x/Oc2.y", "Oc2.y/Oc2.x", "Oc2.y/Oc2.y"))
-    values = np.abs(frf.answer(found, spec).receptance)
+    values = np.abs(frf.solve(found, spec).receptance)
     assert (values[:, 0] > 1e-6 * values[:, 2]).all()
     assert (values[:, 1] < 1e-11 * values[:, 2]).all()  # rounding of the sum over modes
 

@@ -13,7 +13,7 @@ from bearings.ball.law import Law
 from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.preload.spec import PreloadSpec
-from rotordyn.analyses.solving import answer_spindle
+from rotordyn.analyses.solving import solve_spindle
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.errors import NoSolution
 from rotordyn.machine.spindle import Spindle
@@ -121,6 +121,6 @@ def test_every_question_has_an_answer_or_a_reason(
 
 def _answered(spindle: Spindle, speeds: tuple[float, ...], asked: Any) -> Any:
     try:
-        return answer_spindle(spindle, Conditions(), speeds, asked, lambda name: None).results
+        return solve_spindle(spindle, Conditions(), speeds, asked, lambda name: None).results
     except NoSolution as error:
         return error

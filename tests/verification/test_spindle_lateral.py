@@ -58,7 +58,7 @@ def poles(found: Scene, row: int, highest: float) -> np.ndarray:
 
 def curves(found: Scene, names: tuple[str, ...] = PAIRS) -> Any:
     spec = FrfSpec(tuple(FREQUENCY), pairs(*names))
-    return frf.answer(found, spec).receptance
+    return frf.solve(found, spec).receptance
 
 
 def dense(found: Scene, row: int, names: tuple[str, ...] = PAIRS) -> np.ndarray:
@@ -137,7 +137,7 @@ def test_anisotropic_supports_against_all_freedoms() -> None:
     names = ("disc_1.y/disc_2.y", "disc_1.z/disc_2.y", "disc_2.thy/disc_1.z")
     global_frequency = np.linspace(5.0, 590.0, 150)
     spec = FrfSpec(tuple(global_frequency), pairs(*names))
-    ours = frf.answer(found, spec).receptance
+    ours = frf.solve(found, spec).receptance
     for row in (0, 1):
         assert poles(found, row, 600.0) == pytest.approx(full(found, row).poles(600.0), rel=1e-5)
         rotor_all = full(found, row)
@@ -158,7 +158,7 @@ def test_static_limit_is_the_flexibility() -> None:
     """H at 2 Hz against K⁻¹ of all freedoms."""
     found = solved()
     spec = FrfSpec((1e-2,), pairs("Oc2.y/Oc2.y", "Oc1.y/Oc2.y", "Oc2.thz/Oc2.thz"))
-    ours = frf.answer(found, spec).receptance[..., 0]
+    ours = frf.solve(found, spec).receptance[..., 0]
     for row in (0, 1):
         rotor = full(found, row)
         flexibility = np.linalg.inv(rotor.stiffness)

@@ -15,7 +15,7 @@ from bearings import AngularContactBallBearing
 from bearings.materials import Material
 from bearings.ring.iterate import Iterate
 from rotordyn.analyses.preload.spec import PreloadSpec
-from rotordyn.analyses.stiffness.solve import answer as stiffness_answer
+from rotordyn.analyses.stiffness.solve import solve as stiffness_answer
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.equation.mesh import build_mesh
 from rotordyn.machine.seat import BearingSeat

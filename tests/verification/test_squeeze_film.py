@@ -99,7 +99,7 @@ def test_rigid_rotor_under_unbalance(film: str) -> None:
     """(2 K − M Ω² + 2 iΩC) r = U Ω²; each film has its share −(K_f + iΩC) r."""
     held, damping, mass = parts(film)
     size = 1e-5
-    found = unbalance.answer(scene(film), UnbalanceSpec(("mid",), (Unbalance("mid", size),)))
+    found = unbalance.solve(scene(film), UnbalanceSpec(("mid",), (Unbalance("mid", size),)))
     stiff = 2.0 * held - mass * SPEED**2 + 2j * SPEED * damping
     expected = size * SPEED**2 / stiff
     np.testing.assert_allclose(found.displacement[:, 0, 0], expected, rtol=1e-8)
@@ -116,10 +116,10 @@ def test_orbits_beyond_what_a_film_is_computed_for_are_told() -> None:
 
     def told(size: float) -> list[str]:
         spec = UnbalanceSpec(("mid",), (Unbalance("mid", size),))
-        return warnings(unbalance.answer(scene("cavitated"), spec))
+        return warnings(unbalance.solve(scene("cavitated"), spec))
 
     one = UnbalanceSpec(("mid",), (Unbalance("mid", 1e-5),))
-    largest = float(np.nanmax(unbalance.answer(scene("cavitated"), one).film_orbit))
+    largest = float(np.nanmax(unbalance.solve(scene("cavitated"), one).film_orbit))
     assert not told(0.45e-5 / largest)
     left, _ = told(0.6e-5 / largest)
     assert "squeeze film left film is 60 % of its clearance" in left
@@ -151,7 +151,7 @@ def test_free_motion_of_a_rigid_rotor(film: str) -> None:
 def test_receptance_of_a_rigid_rotor(film: str) -> None:
     held, damping, mass = parts(film)
     spec = FrfSpec(frequencies=(5.0, 40.0, 300.0), pairs=pairs("mid.y/mid.y"))
-    found: Any = frf.answer(scene(film), spec)
+    found: Any = frf.solve(scene(film), spec)
     omega = 2.0 * math.pi * np.array(spec.frequencies)
     expected = 1.0 / (2.0 * held[:, None] - mass * omega**2 + 2j * omega * damping)
     np.testing.assert_allclose(np.squeeze(found.response), expected, rtol=1e-7)
@@ -160,7 +160,7 @@ def test_receptance_of_a_rigid_rotor(film: str) -> None:
 @KINDS
 def test_a_film_carries_no_standing_load(film: str) -> None:
     spec = SectionForcesSpec(loads=(PointLoad("mid", Fy=100.0),))
-    found: Any = section_forces.answer(scene(film), spec)
+    found: Any = section_forces.solve(scene(film), spec)
     share = np.asarray(found.reaction)[:, :, 1]
     np.testing.assert_allclose(share[:, 0], -50.0, rtol=1e-9)
     np.testing.assert_allclose(share[:, 2], 0.0, atol=1e-9)
@@ -180,7 +180,7 @@ def test_a_film_whirls_with_the_rotor_that_is_out_of_balance(ratio: float) -> No
     )
     spindle = replace(spindle, rotors=(outer,), supports=(*spindle.supports, *between))
     spec = UnbalanceSpec(("mid",), (Unbalance("outer.ring", size),))
-    found = unbalance.answer(Scene(spindle, RIGID, SPEED, 500.0, (LENGTH / 2.0,)), spec)
+    found = unbalance.solve(Scene(spindle, RIGID, SPEED, 500.0, (LENGTH / 2.0,)), spec)
     stiffness, damping = film_coefficients(FILM)
     masses = [rotor_inertia(each).mass for each in (spindle, spindle.part("outer"))]
     for row, whirl in enumerate(abs(ratio) * SPEED[1:], start=1):
@@ -211,7 +211,7 @@ def test_engine_orders_whirl_at_their_multiple_of_the_speed() -> None:
     found = critical_speeds_of(one, 3.0)
     assert min(abs(each / expected - 1.0) for each in found) < 1e-7
     spec = FrfSpec((), pairs("mid.y/mid.y"), engine_orders=(3.0,))
-    line: Any = frf.answer(one, spec)
+    line: Any = frf.solve(one, spec)
     fine = np.squeeze(line.line_speed)
     assert len(fine) > len(SPEED)
     for speed, values in ((SPEED, line.line_value), (fine, line.line_curve)):

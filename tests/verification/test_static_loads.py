@@ -24,12 +24,12 @@ from rotordyn.analyses import (
     SectionForcesSpec,
     StiffnessSpec,
 )
-from rotordyn.analyses.bearing_loads.solve import answer
+from rotordyn.analyses.bearing_loads.solve import solve
 from rotordyn.analyses.bearing_loads.summary import numbers, summary, warnings
 from rotordyn.analyses.measured_response import Port
-from rotordyn.analyses.preload.solve import answer as preload_answer
-from rotordyn.analyses.solving import answer_spindle
-from rotordyn.analyses.stiffness.solve import answer as stiffness_answer
+from rotordyn.analyses.preload.solve import solve as preload_answer
+from rotordyn.analyses.solving import solve_spindle
+from rotordyn.analyses.stiffness.solve import solve as stiffness_answer
 from rotordyn.equation.dofs import position
 from rotordyn.equation.mesh import build_mesh
 from rotordyn.equation.seat import turn
@@ -168,7 +168,7 @@ def test_bearings_carry_the_loads(rpm: float) -> None:
         PointLoad(at="O3", Fy=150.0, My=3.0, Mz=-5.0),
     )
     found = loaded([rpm], *loads, gravity="-z", axial_stiffening=False)
-    result = answer(found, BearingLoadsSpec(loss_steps=0))
+    result = solve(found, BearingLoadsSpec(loss_steps=0))
     x = np.array([seat.x for seat in found.spindle.seats])
     moved = found.preload
     load = np.stack(
@@ -197,7 +197,7 @@ def test_a_turned_load_turns_the_state() -> None:
     smooth ring at high preload, to the ripple of 21 and 25 balls."""
     y = loaded([16000.0], PointLoad(at="Oc2", Fy=200.0))
     z = loaded([16000.0], PointLoad(at="Oc2", Fz=200.0))
-    a, b = (answer(each, BearingLoadsSpec()) for each in (y, z))
+    a, b = (solve(each, BearingLoadsSpec()) for each in (y, z))
     assert b.radial_load == pytest.approx(a.radial_load, rel=1e-4)
     turned = np.mod(b.load_angle - a.load_angle, 2.0 * math.pi)
     assert turned == pytest.approx(np.full((1, 5), math.pi / 2), abs=1e-3)
@@ -216,9 +216,9 @@ def test_a_force_across_moves_a_loaded_shaft_along_its_axis(rpm: float) -> None:
     faults = list(spec.faults_on(Setting(spindle, conditions(), (0.0, 24000.0 * RPM))))
     assert "nothing couples axial motion and bending" in faults[0][1]
     assert not list(spec.faults_on(Setting(spindle, given, (0.0, 24000.0 * RPM))))
-    slow = answer_spindle(spindle, given, (rpm * RPM,), {"frf": spec}, lambda name: None)
+    slow = solve_spindle(spindle, given, (rpm * RPM,), {"frf": spec}, lambda name: None)
     shift = [
-        answer(scene(spindle, [rpm], loads=(base, more)), BearingLoadsSpec()).deflection[0, 0]
+        solve(scene(spindle, [rpm], loads=(base, more)), BearingLoadsSpec()).deflection[0, 0]
         for more in (PointLoad(at="Oc2", Fy=way * step) for way in (-1.0, 1.0))
     ]
     slope = (shift[1] - shift[0]) / (2.0 * step)
@@ -388,7 +388,7 @@ def test_deep_groove_bearings_without_thrust(load: float) -> None:
     acting = (PointLoad(at="middle", Fy=2.0 * load),)
     found = Scene(deep_pair(), Conditions(rotor="rigid", loads=acting), np.zeros(1))
     assert found.preload.outcome == ("",)
-    result = answer(found, BearingLoadsSpec())
+    result = solve(found, BearingLoadsSpec())
     assert result.radial_load[0] == pytest.approx([load, load], rel=1e-6)
     assert result.radial_displacement[0] == pytest.approx([_enumerated(load)] * 2, rel=1e-5)
     assert np.isnan(result.loss_share).all(), "they are not pressed all round without loads"
@@ -431,7 +431,7 @@ def test_superposition_fails_as_the_contacts_say() -> None:
     for load in (400.0, 800.0):
         acting = (PointLoad(at="middle", Fy=2.0 * load),)
         found = Scene(deep_pair(), Conditions(rotor="rigid", loads=acting), np.zeros(1))
-        ends.append(answer(found, BearingLoadsSpec()).radial_displacement[0, 0])
+        ends.append(solve(found, BearingLoadsSpec()).radial_displacement[0, 0])
     known = _enumerated(800.0) / _enumerated(400.0)
     assert known < 1.7
     assert ends[1] / ends[0] == pytest.approx(known, rel=1e-5)
@@ -445,7 +445,7 @@ def test_a_bore_off_the_axis_takes_the_shaft_along() -> None:
         Scene(each, Conditions(rotor="rigid", loads=acting), np.zeros(1))
         for each in (deep_pair(), deep_pair(moved))
     )
-    a, b = (answer(each, BearingLoadsSpec(loss_steps=0)) for each in (plain, off))
+    a, b = (solve(each, BearingLoadsSpec(loss_steps=0)) for each in (plain, off))
     assert b.ball_inner_load == pytest.approx(a.ball_inner_load, rel=1e-6, abs=1e-6)
     assert off.preload.lateral is not None
     assert np.abs(off.preload.lateral - plain.preload.lateral).max() > 1e-6
@@ -455,7 +455,7 @@ def test_misaligned_bores_press_bearings_without_any_load() -> None:
     spindle = two_bearings()
     tilted = replace(spindle.seats[1], misalignment=Misalignment(y=20e-6, thz=1e-4))
     found = Scene(replace(spindle, seats=(spindle.seats[0], tilted)), Conditions(), np.zeros(1))
-    result = answer(found, BearingLoadsSpec())
+    result = solve(found, BearingLoadsSpec())
     assert result.outcome == ("",)
     radial = result.radial_load[0] * np.cos(result.load_angle[0])
     assert radial[0] == pytest.approx(-radial[1], rel=1e-6)
@@ -468,7 +468,7 @@ def test_a_bore_off_the_axis_presses_its_bearing_back(way: float) -> None:
     spindle = two_bearings()
     moved = replace(spindle.seats[1], misalignment=Misalignment(y=way * 20e-6))
     found = Scene(replace(spindle, seats=(spindle.seats[0], moved)), Conditions(), np.zeros(1))
-    result = answer(found, BearingLoadsSpec())
+    result = solve(found, BearingLoadsSpec())
     radial = result.radial_load[0] * np.cos(result.load_angle[0])
     assert way * radial[1] < -0.1
 
@@ -531,15 +531,15 @@ def test_first_contact_loss_of_the_thesis(way: float) -> None:
 def test_contact_loss_is_named_and_is_where_the_ball_is_free() -> None:
     load = PointLoad(at="Oc2", Fy=2600.0)
     found = loaded([0.0, 12000.0], load)
-    result = answer(found, BearingLoadsSpec())
+    result = solve(found, BearingLoadsSpec())
     lost = np.isfinite(result.loss_share[0])
     assert lost.any()
     k = int(np.nanargmin(result.loss_share[0]))
     share = float(result.loss_share[0, k])
     for factor, free in ((0.999, False), (1.001, True)):
-        near = answer(loaded([0.0], replace(load, Fy=2600.0 * share * factor)), BearingLoadsSpec())
+        near = solve(loaded([0.0], replace(load, Fy=2600.0 * share * factor)), BearingLoadsSpec())
         assert bool((near.ball_inner_load[0, k] == 0.0).any()) is free
-    more = answer(loaded([0.0], replace(load, Fy=13000.0)), BearingLoadsSpec(loss_steps=3))
+    more = solve(loaded([0.0], replace(load, Fy=13000.0)), BearingLoadsSpec(loss_steps=3))
     assert 5.0 * more.loss_share[0, k] == pytest.approx(share, rel=2e-3), "whatever the steps"
     assert more.loss_azimuth[0, k] == result.loss_azimuth[0, k]
     words = list(warnings(result))
@@ -551,7 +551,7 @@ def test_contact_loss_is_named_and_is_where_the_ball_is_free() -> None:
 
 def test_a_speed_without_a_state_has_no_ball_load() -> None:
     """It was 0 there, and so the least of all speeds."""
-    found = answer(loaded([0.0, 8000.0, 16000.0]), BearingLoadsSpec())
+    found = solve(loaded([0.0, 8000.0, 16000.0]), BearingLoadsSpec())
     lost = {
         name: np.where(np.arange(3).reshape(3, *[1] * (values.ndim - 1)) == 1, np.nan, values)
         for name in ("axial_load", "radial_load", "ball_inner_load")
@@ -571,7 +571,7 @@ def test_a_radial_force_takes_the_ball_off_that_loads_do() -> None:
     plain = scene(mfw2310(), [0.0, 12000.0])
     curve = stiffness_answer(plain, StiffnessSpec("Oc2", 2600.0, 3, variants=("nonlinear",)))
     load = loaded([0.0, 12000.0], PointLoad(at="Oc2", Fy=2600.0))
-    rose = answer(load, BearingLoadsSpec())
+    rose = solve(load, BearingLoadsSpec())
     lost = np.isfinite(rose.loss_share)
     assert lost[0].sum() >= 2
     assert (np.isfinite(curve.unloading_force) == lost).all()

@@ -17,7 +17,7 @@ import rotordyn
 from bearings import Material
 from rotordyn.analyses import Conditions, FrfSpec, PointLoad, Port, SectionForcesSpec
 from rotordyn.analyses.registry import analysis
-from rotordyn.analyses.solving import answer_spindle
+from rotordyn.analyses.solving import solve_spindle
 from rotordyn.analyses.static_sag.figures.line import line_figure
 from rotordyn.analyses.static_sag.result import StaticSagResult
 from rotordyn.analyses.static_sag.spec import RingRunout, StaticSagSpec
@@ -55,7 +55,7 @@ def solved(
     spindle: Spindle, point: str = "nose", conditions: Conditions | None = None, **asked: Any
 ) -> StaticSagResult:
     spec = {"static_sag": StaticSagSpec(point, **asked)}
-    found = answer_spindle(spindle, conditions or Conditions(), (0.0,), spec, lambda name: None)
+    found = solve_spindle(spindle, conditions or Conditions(), (0.0,), spec, lambda name: None)
     result = found.results["static_sag"]
     assert isinstance(result, StaticSagResult)
     return result
@@ -120,7 +120,7 @@ def test_joints_between_supports_are_those_of_the_equation_of_motion(rotor: str)
     spindle, conditions = beam(*supports, joints=joints), Conditions(rotor=rotor)
     ports = [(Port(at, way), Port("nose", way)) for at in ("nose", "middle") for way in "yz"]
     asked = {"frf": FrfSpec((0.01,), tuple(ports))}
-    receptance: Any = answer_spindle(spindle, conditions, (0.0,), asked, lambda name: None)
+    receptance: Any = solve_spindle(spindle, conditions, (0.0,), asked, lambda name: None)
     wanted = receptance.results["frf"].receptance.real.reshape(2, 2)
     heavy = replace(spindle, masses=(PointMass("m", 0.0, 10.0),))
     for column, gravity in enumerate(("-y", "-z")):
@@ -206,7 +206,7 @@ def test_three_supports_that_tilt_against_loads_by_their_stiffness() -> None:
             y, z = -np.array(stiff) @ way * e
             loads.append(PointLoad(support.x, Fy=y, Fz=z))
         spec = {"section_forces": SectionForcesSpec(tuple(loads))}
-        moved: Any = answer_spindle(spindle, Conditions(), (0.0,), spec, lambda name: None)
+        moved: Any = solve_spindle(spindle, Conditions(), (0.0,), spec, lambda name: None)
         line = moved.results["section_forces"]
         swing[turn] = line.deflection_y[0, 0], line.deflection_z[0, 0]
     assert found.runout[0, 0] == pytest.approx(2 * np.hypot(*swing), rel=1e-9)
@@ -236,7 +236,7 @@ def test_numbers_and_curves_say_at_which_speed_they_are() -> None:
     assert case.spindle is not None
     asked = {"static_sag": StaticSagSpec("nose"), "section_forces": SectionForcesSpec(gravity="-y")}
     speeds = (0.0, 500.0, 1200.0)
-    answered = answer_spindle(case.spindle, Conditions(), speeds, asked, lambda name: None).results
+    answered = solve_spindle(case.spindle, Conditions(), speeds, asked, lambda name: None).results
     rpm = [0.0, 1200.0 * 30.0 / math.pi]
     for name, curve_at in (("section_forces", rpm[1]), ("static_sag", rpm[0])):
         shown = Shown("", answered[name], (), case.spindle)
@@ -279,7 +279,7 @@ def test_that_a_shaft_turns_is_said_where_what_holds_it_follows_the_speed() -> N
     )
     for rear, told in ((sprung("b", 1.0), ()), (damped, ()), (table, ("t",))):
         spec = {"static_sag": StaticSagSpec("nose")}
-        found = answer_spindle(
+        found = solve_spindle(
             beam(sprung("a", 0.3), rear), Conditions(), (100.0,), spec, lambda name: None
         )
         result: Any = found.results["static_sag"]

@@ -38,7 +38,7 @@ def beam(*supports: LinearSupport) -> Spindle:
 
 def solved(spindle: Spindle, accuracy: float, top: float = TOP) -> Any:
     scene = Scene(spindle, Conditions(accuracy=accuracy), SPEEDS, top)
-    return campbell.answer(scene, CampbellSpec(top, shapes=False))
+    return campbell.solve(scene, CampbellSpec(top, shapes=False))
 
 
 def exact() -> np.ndarray:

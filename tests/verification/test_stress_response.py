@@ -48,7 +48,7 @@ def answered(
 ) -> Any:
     own = bar() if spindle is None else spindle
     scene = Scene(own, Conditions(**conditions), np.array(speed), 1000.0, (0.0, 0.25))
-    return frf.answer(scene, FrfSpec(frequency, pairs(way), quantity=quantity))
+    return frf.solve(scene, FrfSpec(frequency, pairs(way), quantity=quantity))
 
 
 def resonance(**conditions: Any) -> float:
@@ -103,7 +103,7 @@ def test_resonance_with_next_to_no_damping_in_closed_form(share: float) -> None:
 def test_a_mode_that_no_force_moves_is_no_resonance() -> None:
     """Pitch does not move the middle: next to its frequency the bounce answers as ever."""
     scene = Scene(bar(), Conditions(rotor="rigid"), np.array([0.0]), 2000.0, (0.25,))
-    found = campbell.answer(scene, CampbellSpec(2000.0, shapes=False)).frequency[0]
+    found = campbell.solve(scene, CampbellSpec(2000.0, shapes=False)).frequency[0]
     pitch = float(found[found > 1.1 * BOUNCE].min())
     expected = 1.0 / (2.0 * HELD - MASS * (HZ * pitch) ** 2)
     value = answered(pitch * (1.0 + 1e-10), rotor="rigid").receptance.item()
@@ -166,11 +166,11 @@ def test_unbalance_at_a_critical_speed_solved_for() -> None:
     spec = UnbalanceSpec(("tip",), (Unbalance("tip", 1e-6),))
     speeds = np.array([0.0, 6000.0])
     scene = Scene(spindle, Conditions(element_length=0.05), speeds, 6000.0 / HZ, (0.0,))
-    (critical,) = unbalance.answer(scene, spec).critical_speed
+    (critical,) = unbalance.solve(scene, spec).critical_speed
     at = Scene(
         spindle, Conditions(element_length=0.05), np.array([critical, 6000.0]), 6000.0 / HZ, (0.0,)
     )
-    resonant = unbalance.answer(at, spec)
+    resonant = unbalance.solve(at, spec)
     assert "a critical speed without damping" in resonant.outcome[0]
     assert np.isnan(resonant.displacement[0]).all()
     near = Scene(
@@ -180,6 +180,6 @@ def test_unbalance_at_a_critical_speed_solved_for() -> None:
         6000.0 / HZ,
         (0.0,),
     )
-    phase = unbalance.answer(near, spec).displacement[:, 0, 0]
+    phase = unbalance.solve(near, spec).displacement[:, 0, 0]
     assert np.isfinite(phase).all()
     assert phase[0].real * phase[1].real < 0.0

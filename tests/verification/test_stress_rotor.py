@@ -16,7 +16,7 @@ from rotordyn.analyses.campbell import solve as campbell
 from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.analyses.frf import solve as frf
 from rotordyn.analyses.frf.spec import FrfSpec
-from rotordyn.analyses.section_forces.solve import answer as section_forces
+from rotordyn.analyses.section_forces.solve import solve as section_forces
 from rotordyn.analyses.section_forces.spec import SectionForcesSpec
 from rotordyn.analyses.unbalance import solve as unbalance
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
@@ -71,7 +71,7 @@ def seen(
 
 def modes(spindle: Spindle, *arguments: Any, **conditions: Any) -> Any:
     own = seen(spindle, *arguments, **conditions)
-    return campbell.answer(own, CampbellSpec(own.max_frequency, shapes=False))
+    return campbell.solve(own, CampbellSpec(own.max_frequency, shapes=False))
 
 
 def bending(result: Any) -> np.ndarray:
@@ -82,7 +82,7 @@ def bending(result: Any) -> np.ndarray:
 def receptance(scene: Scene, *frequency: float) -> np.ndarray:
     """At the front, y by y and x by x (speeds, 2, frequencies)."""
     spec = FrfSpec(frequency, pairs("tip.y/tip.y", "tip.x/tip.x"))
-    return frf.answer(scene, spec).receptance
+    return frf.solve(scene, spec).receptance
 
 
 # --- stiffness and length ------------------------------------------------------------------------
@@ -223,7 +223,7 @@ def test_a_soft_support_lets_nothing_grow(stiffness: float) -> None:
     assert math.isinf(result.stability_threshold)
     spec = UnbalanceSpec(("tip",), (Unbalance("tip", 1e-6),))
     own = seen(spindle)
-    assert not any(unbalance.answer(own, spec).outcome)
+    assert not any(unbalance.solve(own, spec).outcome)
     assert own.warnings == ()
 
 
@@ -319,7 +319,7 @@ def test_one_speed_or_two_that_hardly_differ(speeds: tuple[float, ...]) -> None:
     expected = bending(usual)[0 if speeds[0] == 0.0 else 1]
     assert np.sort(bending(result)) == pytest.approx(np.tile(np.sort(expected), (len(speeds), 1)))
     spec = UnbalanceSpec(("tip",), (Unbalance("tip", 1e-6),))
-    found = unbalance.answer(seen(on_two(), speeds), spec)
+    found = unbalance.solve(seen(on_two(), speeds), spec)
     assert np.isfinite(found.amplitude).all()
     assert not any(found.outcome)
 
@@ -340,7 +340,7 @@ def test_a_million_rpm_by_the_exact_shaft() -> None:
 def test_negative_damping_grows_in_closed_form(damping: float) -> None:
     """A rigid rotor bounces by m λ² + 2c λ + 2k = 0; it has no steady response to unbalance."""
     own = seen(on_two(HELD, damping), rotor="rigid")
-    result = campbell.answer(own, CampbellSpec(2000.0, shapes=False))
+    result = campbell.solve(own, CampbellSpec(2000.0, shapes=False))
     mass = STEEL.density * math.pi / 4.0 * 0.05**2 * 0.5
     pole = np.roots([mass, 2.0 * damping, 2.0 * HELD])[0]
     at = np.abs(result.frequency[0] - abs(pole.imag) / HZ).argmin()
@@ -359,7 +359,7 @@ def test_negative_damping_grows_in_closed_form(damping: float) -> None:
 def test_unbalance_of_any_size_is_a_multiple(size: float) -> None:
     def amplitude(amount: float) -> Any:
         spec = UnbalanceSpec(("tip",), (Unbalance("tip", amount),))
-        return unbalance.answer(seen(on_two()), spec).amplitude
+        return unbalance.solve(seen(on_two()), spec).amplitude
 
     assert amplitude(size) == pytest.approx(amplitude(1.0) * size, rel=1e-9, abs=1e-320)
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from bearings.ball.law import Law
-from rotordyn.analyses.axial_cycle.solve import answer as cycle_answer
+from rotordyn.analyses.axial_cycle.solve import solve as cycle_answer
 from rotordyn.analyses.axial_cycle.spec import AxialCycleSpec
 from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.analyses.frf.spec import FrfSpec

@@ -81,11 +81,11 @@ def halfway(rpm: float) -> LinearSupport:
 def test_every_speed_is_a_machine_of_its_own() -> None:
     whole = scene(on(TABLED, OTHER), RPMS)
     spec = FrfSpec(FREQUENCY, pairs("nose.y/tip.y", "nose.z/tip.y", "tip.thy/nose.z"))
-    curves = frf.answer(whole, spec).receptance
+    curves = frf.solve(whole, spec).receptance
     for row, rpm in enumerate(RPMS):
         fastest = sorted({rpm, RPMS[-1]})  # whose coordinates are those of the whole
         alone = scene(on(halfway(rpm), OTHER), tuple(fastest))
-        own = frf.answer(alone, spec).receptance[0]
+        own = frf.solve(alone, spec).receptance[0]
         assert np.abs(curves[row] - own).max() < 1e-8 * np.abs(own).max()
         ours, theirs = (
             np.sort_complex(p) for p in (system_of(whole).modes.pole[row], poles(alone))
@@ -134,11 +134,11 @@ def test_radial_stiffness_beside_bearings(bearings: str) -> None:
         "nose_face", 500.0, steps=2, variants=("nonlinear", "full", "constant_preload")
     )
     base = replace(case().conditions, bearings=bearings)
-    whole = stiffness.answer(Scene(mfw2310(supports=(table,)), base, np.array(rpm) * RPM), spec)
+    whole = stiffness.solve(Scene(mfw2310(supports=(table,)), base, np.array(rpm) * RPM), spec)
     for row, one in enumerate(rpm):
         fixed = LinearSupport("film", 0.1, {("y", "y"): 2e7 + 7e7 * one / 30000.0, ("z", "z"): 5e7})
         alone = Scene(mfw2310(supports=(fixed,)), base, np.array([one]) * RPM)
-        own = stiffness.answer(alone, spec)
+        own = stiffness.solve(alone, spec)
         assert whole.deflection[row] == pytest.approx(own.deflection[0], rel=1e-7)
     assert np.ptp(whole.tangent[:, 0]) > 0.005 * whole.tangent[0, 0]
 
@@ -152,7 +152,7 @@ def test_reactions_of_a_beam() -> None:
     )
     rotor = on(table, support("b", 0.2, (4e7, 4e7)))
     loads = SectionForcesSpec(loads=(PointLoad(at=0.1, Fy=100.0),))
-    found = section_forces.answer(Scene(rotor, Conditions(), np.array([0.0, 500.0])), loads)
+    found = section_forces.solve(Scene(rotor, Conditions(), np.array([0.0, 500.0])), loads)
     front = np.flatnonzero(np.isclose(found.cut, 0.03))[0]
     assert found.reaction[:, 0, 1] == pytest.approx(-100.0 * 0.1 / 0.17, rel=1e-9)
     sunk = found.deflection_y[:, front]
@@ -281,7 +281,7 @@ def test_critical_speeds_and_threshold_within_the_table() -> None:
         joints=(Joint("cone", 0.05, tilt=2e5, tilt_damping=20.0),),
     )
     found = Scene(rotor, FINE, np.linspace(0.0, top, 9), 1500.0)
-    result = campbell.answer(found, CampbellSpec(1500.0, engine_orders=(1, 2)))
+    result = campbell.solve(found, CampbellSpec(1500.0, engine_orders=(1, 2)))
     assert sorted(result.critical) == 2 * ["axial 1"] + 2 * ["bending 1"] + 2 * ["bending 2"]
     for k in range(len(result.critical)):
         speed = float(result.critical_speed[k])
@@ -329,7 +329,7 @@ def test_no_critical_speed_is_missed_between_few_speeds(seed: int, coupled: bool
         along = {("x", "x"): 1e3, ("x", "y"): 1e-3, ("y", "x"): 1e-3}
         rotor = replace(rotor, supports=(*rotor.supports, LinearSupport("link", 0.1, along)))
     few = Scene(rotor, Conditions(), np.linspace(0.0, SPEEDS[-1], 3), 1500.0)
-    result = campbell.answer(few, spec)
+    result = campbell.solve(few, spec)
     at = np.linspace(0.0, SPEEDS[-1], 201)[1:]
     poles = system_of(Scene(rotor, Conditions(), at, 1500.0)).pole
     for order in spec.engine_orders:
@@ -356,7 +356,7 @@ def test_two_critical_speeds_between_two_breakpoints(order: float, roots: int) -
         for name, way in (("a", -0.05), ("b", 0.05))
     )
     whole = Scene(replace(rotor, supports=pair), Conditions(rotor="rigid"), np.array(table), 500.0)
-    found = campbell.answer(whole, CampbellSpec(500.0, shapes=False, engine_orders=(order,)))
+    found = campbell.solve(whole, CampbellSpec(500.0, shapes=False, engine_orders=(order,)))
     every = np.roots([order**2, -5.0, 1.5])
     inside = [x.real for x in every if x.imag == 0.0 and 0.301 < x.real < 2.0]
     assert len(inside) == roots
@@ -390,7 +390,7 @@ def test_threshold_of_what_grows_between_the_speeds_only() -> None:
     whole = Scene(
         replace(rotor, supports=pair), Conditions(rotor="rigid"), np.array([0.0, top]), 500.0
     )
-    found = campbell.answer(whole, CampbellSpec(500.0, shapes=False))
+    found = campbell.solve(whole, CampbellSpec(500.0, shapes=False))
     assert found.stability_threshold == pytest.approx(0.25 * 0.5 * top, rel=1e-8)
 
 
@@ -404,7 +404,7 @@ def rising() -> Scene:
 
 def test_no_critical_speed_by_the_supports_of_one_speed() -> None:
     """The stiffness asked for is that of the breakpoints on either side."""
-    found = campbell.answer(rising(), CampbellSpec(1500.0, engine_orders=(1,)))
+    found = campbell.solve(rising(), CampbellSpec(1500.0, engine_orders=(1,)))
     assert len([name for name in found.critical if name.startswith("bending")]) == 2
 
 

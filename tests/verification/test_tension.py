@@ -47,7 +47,7 @@ def beam(*ways: str, **more: Any) -> Spindle:
 
 
 def bending(spindle: Spindle, conditions: Conditions, highest: float = 1000.0) -> Any:
-    found = campbell.answer(Scene(spindle, conditions, SPEEDS, highest), CampbellSpec(highest))
+    found = campbell.solve(Scene(spindle, conditions, SPEEDS, highest), CampbellSpec(highest))
     return np.sort(found.frequency[:, [kind == "bending" for kind in found.kind]], axis=1)
 
 
@@ -71,7 +71,7 @@ def test_near_buckling_the_reported_error_is_the_true_one(accuracy: float) -> No
         own = PinnedBeam(LENGTH, DIAMETER, tension=-(1.0 - share) * BUCKLING)
         given = Conditions(accuracy=accuracy, tension=-(1.0 - share) * BUCKLING)
         scene = Scene(beam(), given, np.zeros(1), 500.0)
-        found = campbell.answer(scene, CampbellSpec(500.0, shapes=False))
+        found = campbell.solve(scene, CampbellSpec(500.0, shapes=False))
         exact = np.sort(np.concatenate([own.frequencies(k, 0.0)[2:3] for k in (1, 2, 3)]))
         for omega in exact / (2.0 * math.pi):
             near = int(np.nanargmin(np.abs(found.frequency[0] - omega)))
@@ -122,7 +122,7 @@ def test_a_drawbar_in_part_of_the_shaft_buckles_it_where_the_lowest_mode_stands_
 
 def test_section_forces_take_it() -> None:
     spec = SectionForcesSpec(loads=(PointLoad("mid", Fy=1.0),))
-    found = section_forces.answer(Scene(beam(), Conditions(tension=1e3), np.zeros(1)), spec)
+    found = section_forces.solve(Scene(beam(), Conditions(tension=1e3), np.zeros(1)), spec)
     assert found.normal_force == pytest.approx(1e3)
 
 

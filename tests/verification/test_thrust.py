@@ -14,7 +14,7 @@ import rotordyn
 from bearings import Follower, InvalidBearing, ThrustBallBearing
 from bearings.geometry import geometry
 from bearings.ring.motion import ball_motion, contact_motion
-from rotordyn.analyses.bearing.solve import answer
+from rotordyn.analyses.bearing.solve import solve
 from rotordyn.analyses.bearing.spec import BearingMapSpec
 from rotordyn.scene.conditions import Conditions
 
@@ -73,7 +73,7 @@ def test_control_of_either_race_is_its_mirror_image() -> None:
 
 def test_inclined_axes_beyond_90_degrees_are_results_of_the_bearing() -> None:
     spec = BearingMapSpec((THRUST[0],))
-    found = answer(BEARING, Conditions(kinematics="inner"), np.array([1.0]), spec)
+    found = solve(BEARING, Conditions(kinematics="inner"), np.array([1.0]), spec)
     expected = math.pi - math.atan(64.0 / 10.3)
     assert np.asarray(found.attitude).ravel() == pytest.approx(expected, abs=1e-5)
 

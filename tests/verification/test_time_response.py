@@ -15,19 +15,20 @@ from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
 from bearings import AngularContactBallBearing
-from rotordyn.analyses.bearing_loads.solve import answer as loads_answer
+from rotordyn.analyses.bearing_loads.solve import solve as loads_answer
 from rotordyn.analyses.bearing_loads.spec import BearingLoadsSpec
-from rotordyn.analyses.frf.solve import answer as frf_answer
+from rotordyn.analyses.frf.solve import solve as frf_answer
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.time_response.equation import Equation
 from rotordyn.analyses.time_response.forces import impulse, marked, mean_inputs, values
 from rotordyn.analyses.time_response.march import Step, _nodal_inputs, march
 from rotordyn.analyses.time_response.nonlinear import Nonlinear
 from rotordyn.analyses.time_response.peaks import longest
-from rotordyn.analyses.time_response.solve import _steady_start, answer
+from rotordyn.analyses.time_response.solve import _steady_start
+from rotordyn.analyses.time_response.solve import solve as solve_time_response
 from rotordyn.analyses.time_response.spec import ForceOverTime, TimeResponseSpec
 from rotordyn.analyses.time_response.summary import accuracy, summary, warnings
-from rotordyn.analyses.unbalance.solve import answer as unbalance_answer
+from rotordyn.analyses.unbalance.solve import solve as unbalance_answer
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.analyses.unlimited import unlimited
 from rotordyn.errors import InvalidInput
@@ -126,7 +127,7 @@ def test_a_rigid_rotor_moves_as_newtons_and_eulers_equations_say(rpm: float) -> 
     blow = push(3000.0, pulse=4e-4)
     spec = TimeResponseSpec(7e-4, 8000.0, ("nose", "end"), (blow,))
     scene = seen(short(), spec, rpm, rotor="rigid", accuracy=1e-7, **ALONE)
-    found = answer(scene, spec)
+    found = solve_time_response(scene, spec)
     other = rigid_motion(scene, blow, found.time)
     centre = rotor_inertia(scene.spindle).centre
     for k, x in enumerate((0.0, 0.12)):
@@ -179,7 +180,7 @@ def test_a_sinusoidal_force_ends_in_the_receptance() -> None:
     hertz, late = 340.0, 0.11
     forces = (ForceOverTime("tip", "y", force=50.0, frequency=hertz, phase=0.5 * math.pi),)
     spec = TimeResponseSpec(late + 1.0 / hertz, 2500.0, ("tip", "nose"), forces)
-    found = answer(seen(SUPPORTED, spec, 15000.0, accuracy=1e-7), spec)
+    found = solve_time_response(seen(SUPPORTED, spec, 15000.0, accuracy=1e-7), spec)
     asked = pairs("tip.y/tip.y", "tip.z/tip.y", "nose.y/tip.y", "nose.z/tip.y")
     response = frf_answer(
         seen(SUPPORTED, spec, 15000.0, accuracy=1e-7), FrfSpec((hertz, 2500.0), asked)
@@ -199,7 +200,7 @@ def test_unbalance_alone_is_the_steady_orbit_from_the_beginning(*, against: bool
     acting = (Unbalance(at, 2e-4, 0.3), Unbalance(at if against else 0.2, 1e-4, -1.0))
     spec = TimeResponseSpec(0.02, 2500.0, (at,), unbalances=acting)
     spindle = marked(spindle, spec)
-    found = answer(seen(spindle, spec, 15000.0, accuracy=1e-7), spec)
+    found = solve_time_response(seen(spindle, spec, 15000.0, accuracy=1e-7), spec)
     orbit = unbalance_answer(
         seen(spindle, spec, 15000.0, accuracy=1e-7), UnbalanceSpec((at,), acting)
     )
@@ -226,7 +227,7 @@ def test_an_orbit_wider_than_any_machine_is_no_answer(damping: float) -> None:
 
     def found(size: float, *speeds: float) -> Any:
         spec = TimeResponseSpec(0.05, 200.0, ("middle",), unbalances=(Unbalance("middle", size),))
-        return answer(seen(machine, spec, np.array(speeds) / RPM, rotor="rigid"), spec)
+        return solve_time_response(seen(machine, spec, np.array(speeds) / RPM, rotor="rigid"), spec)
 
     wide = found(known[1], 0.5 * omega, omega)
     assert wide.outcome[0] == ""
@@ -263,7 +264,7 @@ def test_what_nothing_holds_moves_evenly_and_is_not_called_unstable() -> None:
     mass = rotor_inertia(machine).mass
     acting = ForceOverTime("middle", "y", force=force, end=pushed)
     spec = TimeResponseSpec(0.12, 200.0, ("middle",), (acting,))
-    found = answer(seen(machine, spec, 0.0, rotor="rigid"), spec)
+    found = solve_time_response(seen(machine, spec, 0.0, rotor="rigid"), spec)
     reached = 0.1 * mass / (force * pushed) + 0.5 * pushed
     assert found.ended[0] == pytest.approx(reached, abs=found.time[1])
     after = (found.time > pushed) & (found.time < found.ended[0])
@@ -276,7 +277,7 @@ def test_what_nothing_holds_moves_evenly_and_is_not_called_unstable() -> None:
 
 def test_bearings_under_small_forces_are_linear() -> None:
     spec = TimeResponseSpec(2e-3, 3000.0, ("nose",), (push(1e-2, pulse=4e-4),))
-    found = answer(seen(short(), spec, 20000.0, **CONTROL), spec)
+    found = solve_time_response(seen(short(), spec, 20000.0, **CONTROL), spec)
     apart = np.abs(found.displacement - found.linear_displacement).max()
     assert apart < 1e-5 * found.largest[0, 0]
 
@@ -293,7 +294,7 @@ def test_a_force_that_grows_slowly_ends_in_the_state_under_it(rotor: str, apart:
     spindle = short(damping=3000.0)
     ramp = push(None, times=SLOW, forces=(0.0, 800.0, 800.0))
     spec = TimeResponseSpec(0.016, 1000.0, ("nose",), (ramp,))
-    found = answer(seen(spindle, spec, 20000.0, rotor=rotor, **ALONE), spec)
+    found = solve_time_response(seen(spindle, spec, 20000.0, rotor=rotor, **ALONE), spec)
     load = (PointLoad("nose", Fy=800.0),)
     under = seen(spindle, spec, 20000.0, rotor=rotor, loads=load, **ALONE)
     static, last = loads_answer(under, BearingLoadsSpec(loss_steps=0)), found.bearing_load[0, -1]
@@ -308,7 +309,7 @@ def test_the_gap_of_a_stop_is_that_of_the_state_under_the_force() -> None:
         spindle = short(6000.0, Spring(300.0, 5e6), travel)
         slow = push(-200.0, direction="x", pulse=0.1)
         spec = TimeResponseSpec(0.1, 1000.0, ("nose",), (slow,))
-        found = answer(seen(spindle, spec, 0.0, rotor="rigid", **CONTROL), spec)
+        found = solve_time_response(seen(spindle, spec, 0.0, rotor="rigid", **CONTROL), spec)
         pushed = seen(spindle, spec, 0.0, axial_force=-200.0, **CONTROL)
         gap = pushed.preload.stop_gaps()[0, 0]
         if not told:
@@ -326,7 +327,7 @@ def test_friction_holds_a_sleeve_as_far_as_its_limit(force: float) -> None:
     spindle = replace(short(3000.0), sleeves=(sleeve,))
     spec = TimeResponseSpec(0.05, 1000.0, ("nose",), (push(force, direction="x", pulse=0.05),))
     scene = seen(spindle, spec, 0.0, rotor="rigid", **CONTROL)
-    found = answer(scene, spec)
+    found = solve_time_response(scene, spec)
     front, rear = (
         balls.complete_stiffness[0, at, 0, 0] for balls, at in scene.preload.seat_states()
     )
@@ -344,7 +345,7 @@ def test_a_force_adds_to_friction_or_relieves_it(rpm: float, force: float) -> No
     sleeve = replace(short().sleeves[0], spring=Spring(300.0, 5e6), friction=40.0)
     spindle = replace(short(3000.0), sleeves=(sleeve,))
     spec = TimeResponseSpec(0.05, 1000.0, ("nose",), (push(force, direction="x", pulse=0.05),))
-    found = answer(seen(spindle, spec, rpm, rotor="rigid", **CONTROL), spec)
+    found = solve_time_response(seen(spindle, spec, rpm, rotor="rigid", **CONTROL), spec)
     left, under = (
         seen(spindle, spec, rpm, axial_force=each, **CONTROL).preload.friction_force[0, 0]
         for each in (0.0, force)
@@ -369,7 +370,7 @@ def test_friction_of_a_mirrored_sleeve_is_relieved_alike(force: float) -> None:
     holding = []
     for spindle, given in ((plain, force), (turned, -force)):
         spec = TimeResponseSpec(0.05, 1000.0, ("nose",), (push(given, direction="x", pulse=0.05),))
-        found = answer(seen(spindle, spec, 20e3, rotor="rigid", **CONTROL), spec)
+        found = solve_time_response(seen(spindle, spec, 20e3, rotor="rigid", **CONTROL), spec)
         holding.append(found.holding[0, 0])
     assert holding[1] == pytest.approx(holding[0], rel=1e-3)
 
@@ -377,7 +378,7 @@ def test_friction_of_a_mirrored_sleeve_is_relieved_alike(force: float) -> None:
 def test_pressures_are_those_of_the_state_under_the_force() -> None:
     spindle, slow = short(3000.0), push(800.0, pulse=0.05)
     spec = TimeResponseSpec(0.05, 1000.0, ("nose",), (slow,))
-    found = answer(seen(spindle, spec, 20000.0, rotor="rigid", **ALONE), spec)
+    found = solve_time_response(seen(spindle, spec, 20000.0, rotor="rigid", **ALONE), spec)
     load = (PointLoad("nose", Fy=800.0),)
     under = seen(spindle, spec, 20000.0, rotor="rigid", loads=load, **ALONE)
     for k, (balls, at) in enumerate(under.preload.seat_states()):
@@ -387,7 +388,7 @@ def test_pressures_are_those_of_the_state_under_the_force() -> None:
 
 def test_balls_that_come_off_where_a_bearing_is_loaded_least_are_counted() -> None:
     spec = TimeResponseSpec(0.05, 1000.0, ("nose",), (push(-3000.0, pulse=0.05, direction="x"),))
-    found = answer(seen(short(3000.0), spec, 0.0, rotor="rigid", **ALONE), spec)
+    found = solve_time_response(seen(short(3000.0), spec, 0.0, rotor="rigid", **ALONE), spec)
     size = np.linalg.norm(found.bearing_load[0], axis=-1)
     assert size[:, 0].max() == pytest.approx(size[0, 0])  # the front is relieved,
     assert (size[:, 0] < 1e-3).any()  # all of it, while the rear carries the force
@@ -437,7 +438,7 @@ def test_linear_steps_together_are_those_one_by_one(
 
 def test_pressures_beyond_what_contacts_stand_are_warned_of() -> None:
     spec = TimeResponseSpec(1e-3, 4000.0, ("nose",), (push(2e4, pulse=4e-4),))
-    found = answer(seen(short(), spec, [0.0, 20000.0], **CONTROL), spec)
+    found = solve_time_response(seen(short(), spec, [0.0, 20000.0], **CONTROL), spec)
     sentences = [one for one in warnings(found) if "contact pressure" in one]
     assert [one.split(":")[0].split()[-1] for one in sentences] == ["front", "rear"]
     assert (found.peak_pressure > 4.2e9).all()
@@ -446,9 +447,9 @@ def test_pressures_beyond_what_contacts_stand_are_warned_of() -> None:
 def test_without_checks_there_is_one_march_and_no_error() -> None:
     spec = TimeResponseSpec(1e-3, 4000.0, ("nose",), (push(500.0, pulse=4e-4),))
     scene = seen(short(), spec, 20000.0, **CONTROL)
-    checked = answer(seen(short(), spec, 20000.0, **CONTROL), spec)
+    checked = solve_time_response(seen(short(), spec, 20000.0, **CONTROL), spec)
     scene.checks.wanted = False
-    found = answer(scene, spec)
+    found = solve_time_response(scene, spec)
     assert np.isnan(found.error).all()
     near = 1e-3 * checked.largest[0, 0]
     assert found.displacement == pytest.approx(checked.displacement, abs=near)
@@ -483,7 +484,7 @@ def test_a_force_that_begins_within_a_step_is_as_accurate() -> None:
     for highest in (600.0, 12000.0):
         spec = TimeResponseSpec(6e-3, highest, ("tip",), (sudden,))
         scene = Scene(SUPPORTED, Conditions(), np.array([500.0]), 600.0, (-0.05,))
-        found = answer(scene, spec)
+        found = solve_time_response(scene, spec)
         paths.append(found.displacement[0, :, 0, 1:])
         errors.append(found.error[0])
     coarse, fine = paths[0], paths[1][:: (len(paths[1]) - 1) // (len(paths[0]) - 1)]
@@ -655,7 +656,7 @@ def test_a_stop_closes_and_opens_as_newtons_equations_say(
     spindle = short(600.0, Spring(300.0, 5e6), travel)
     spec = TimeResponseSpec(1.5e-3, 8000.0, ("nose",), (blow,), stop_stiffness=STOP)
     scene = seen(spindle, spec, rpm, rotor="rigid", accuracy=1e-4, **ALONE)
-    found = answer(scene, spec)
+    found = solve_time_response(scene, spec)
     moved = along_the_axis(scene, blow, found.time)
     assert (found.gap[0] > 0.0).any()
     assert (found.gap[0] < 0.0).any()
@@ -672,7 +673,7 @@ def blown(force: float, travel: float, stiffness: float | None) -> Any:
     """A short shaft under a blow along its axis, 30 000 rpm."""
     blow = push(force, direction="x", pulse=6e-4)
     spec = TimeResponseSpec(1e-3, 4000.0, ("nose",), (blow,), stop_stiffness=stiffness)
-    return answer(seen(short(600.0, Spring(300.0, 5e6), travel), spec, 30000.0), spec)
+    return solve_time_response(seen(short(600.0, Spring(300.0, 5e6), travel), spec, 30000.0), spec)
 
 
 def test_stops_that_are_not_reached_or_not_left_change_nothing() -> None:
@@ -710,20 +711,20 @@ def test_the_error_falls_where_stops_close() -> None:
 def test_what_is_left_after_the_beginning_is_named() -> None:
     """A large unbalance begins off balance, on the orbit of linear bearings, and goes on."""
     spec = TimeResponseSpec(8e-3, 2000.0, ("nose",), unbalances=(Unbalance("nose", 8e-4),))
-    found = answer(seen(short(), spec, 12000.0), spec)
+    found = solve_time_response(seen(short(), spec, 12000.0), spec)
     size = np.linalg.norm(found.displacement[0, :, 0], axis=-1)
     late = size[found.time >= 0.75 * spec.duration]
     assert found.late_largest[0, 0] == pytest.approx(late.max(), rel=0.01)
     assert found.late_largest[0, 0] < 0.95 * found.largest[0, 0]
     assert any("quarter" in line for line in summary(found))
     spec = replace(spec, forces=(push(500.0, pulse=1e-3),), unbalances=())
-    gone = answer(seen(short(), spec, 12000.0), spec)
+    gone = solve_time_response(seen(short(), spec, 12000.0), spec)
     assert not any("quarter" in line for line in summary(gone))
 
 
 def test_an_answer_that_ends_early_says_nothing_of_its_last_quarter() -> None:
     spec = TimeResponseSpec(5e-3, 1000.0, ("nose",), (push(1e6),))
-    found = answer(seen(short(), spec, 0.0), spec)
+    found = solve_time_response(seen(short(), spec, 0.0), spec)
     assert found.ending[0]
     assert found.ended[0] < spec.duration
     assert np.isnan(found.late_largest[0, 0])
@@ -766,7 +767,7 @@ def test_knocks_shorter_than_the_steps_are_told(mass: float, stiffness: float) -
     found = []
     for highest in (4000.0, 16000.0):
         spec = TimeResponseSpec(1.5e-3, highest, ("nose",), (blow,), stop_stiffness=stiffness)
-        found.append(answer(seen(machine, spec, 0.0), spec))
+        found.append(solve_time_response(seen(machine, spec, 0.0), spec))
     coarse, fine = (float(each.stop_force[0, 0]) for each in found)
     assert abs(coarse / fine - 1.0) < 2.0 * found[0].stop_error[0, 0] + 0.01
     told = [line for line in warnings(found[0]) if "stop of sleeve rear is known to" in line]

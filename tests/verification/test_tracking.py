@@ -75,7 +75,7 @@ def disc_at(x: float) -> Spindle:
 
 def lines(spindle: Spindle, rpm: Any) -> dict[str, np.ndarray]:
     scene = Scene(spindle, Conditions(), np.asarray(rpm, float) * RPM, 400.0)
-    found = campbell.answer(scene, CampbellSpec(400.0, shapes=False))
+    found = campbell.solve(scene, CampbellSpec(400.0, shapes=False))
     return dict(zip(found.mode, found.frequency.T, strict=True))
 
 
@@ -123,7 +123,7 @@ def test_supports_alike_in_both_planes_at_some_speeds_only(
         disc = PointMass("disc", 0.3, 20.0, 6.0, 4.0)
         rotor = uniform(0.6, 0.05, STEEL, masses=(disc,), supports=held)
         scene = Scene(rotor, Conditions(), np.array(given, dtype=float), 300.0)
-        return campbell.answer(scene, CampbellSpec(300.0, shapes=False))
+        return campbell.solve(scene, CampbellSpec(300.0, shapes=False))
 
     alike, mixed = found([1e6] * len(table)), found(across)
     assert mixed.frequency.shape[1] == 4

@@ -27,7 +27,7 @@ from rotordyn.analyses import (
 )
 from rotordyn.analyses.campbell import solve as campbell
 from rotordyn.analyses.frf.result import FrfResult
-from rotordyn.analyses.solving import answer_spindle
+from rotordyn.analyses.solving import solve_spindle
 from rotordyn.analyses.unbalance import growth
 from rotordyn.analyses.unbalance import solve as unbalance
 from rotordyn.analyses.unbalance.orbit import orbit
@@ -88,7 +88,7 @@ def solved(
 ) -> UnbalanceResult:
     spec = UnbalanceSpec(points=points, unbalances=unbalances, **asked)
     own, at = conditions or Conditions(), tuple(map(float, speeds))
-    found = answer_spindle(spindle, own, at, {"unbalance": spec}, lambda name: None)
+    found = solve_spindle(spindle, own, at, {"unbalance": spec}, lambda name: None)
     result = found.results["unbalance"]
     assert isinstance(result, UnbalanceResult)
     return result
@@ -251,7 +251,7 @@ def test_receptances_at_the_frequency_of_rotation(spindle: Spindle) -> None:
             for way in ("y", "z")
         ]
         spec = FrfSpec((speed / (2 * math.pi),), tuple(pairs))
-        found = answer_spindle(named, Conditions(), (speed,), {"frf": spec}, lambda name: None)
+        found = solve_spindle(named, Conditions(), (speed,), {"frf": spec}, lambda name: None)
         frf = found.results["frf"]
         assert isinstance(frf, FrfResult)
         h = frf.receptance[0, :, 0].reshape(len(points), len(SPREAD), 2)
@@ -641,12 +641,12 @@ def test_critical_speeds_are_those_of_the_campbell_diagram_without_its_other_wor
         spindle = replace(spindle, supports=(*spindle.supports, LinearSupport("tie", 0.3, ties)))
     top, band, places = 4000.0 * RPM, 200.0, tuple(spindle.places.values())
     whole = Scene(spindle, Conditions(), np.array([0.0, 0.5 * top, top]), band, places)
-    found = unbalance.answer(whole, UnbalanceSpec(("left_disc",), (Unbalance("left_disc", U),)))
+    found = unbalance.solve(whole, UnbalanceSpec(("left_disc",), (Unbalance("left_disc", U),)))
     touched = set().union(*(own.linear.kinds for own in whole.systems.values()))
     assert touched == ({"bending", "axial"} if along else {"bending"})
     other = Scene(spindle, Conditions(), whole.speed, band, places)
     spec = CampbellSpec(1.2 * top / (2.0 * math.pi), shapes=False)
-    modes = campbell.answer(other, spec)
+    modes = campbell.solve(other, spec)
     own = modes.critical_excited
     assert own.sum() >= 2
     assert found.critical == tuple(np.array(modes.critical)[own])

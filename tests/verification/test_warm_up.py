@@ -16,11 +16,12 @@ from scipy.linalg import expm
 import rotordyn
 from bearings.heat.temperature import Conductances, Surroundings, network
 from rotordyn.analyses import PreloadSpec, WarmUpSpec
-from rotordyn.analyses.solving import answer_spindle
+from rotordyn.analyses.solving import solve_spindle
 from rotordyn.analyses.warm_up.figures import figures
 from rotordyn.analyses.warm_up.figures.over_time import warming_figure
 from rotordyn.analyses.warm_up.result import WarmUpResult
-from rotordyn.analyses.warm_up.solve import answer, ball_capacity, over_time
+from rotordyn.analyses.warm_up.solve import ball_capacity, over_time
+from rotordyn.analyses.warm_up.solve import solve as solve_warm_up
 from rotordyn.analyses.warm_up.summary import accuracy, in_words, numbers, summary, warnings
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.machine import BearingTemperatures, RingGrowth, Temperatures
@@ -67,17 +68,17 @@ def spec(minutes: float, **more: float) -> WarmUpSpec:
 @cache
 def warmed() -> tuple[Scene, WarmUpResult]:
     here = scene(12e3)
-    return here, answer(here, spec(90.0))
+    return here, solve_warm_up(here, spec(90.0))
 
 
 @cache
 def running_away() -> WarmUpResult:
-    return answer(scene(3e3, 15e3, flow=WEAK), spec(30.0))
+    return solve_warm_up(scene(3e3, 15e3, flow=WEAK), spec(30.0))
 
 
 @cache
 def begun() -> WarmUpResult:
-    return answer(scene(9e3), spec(3.0))
+    return solve_warm_up(scene(9e3), spec(3.0))
 
 
 @pytest.mark.parametrize("constants", [(None, None), (15.0, None), (30.0, 12.0)])
@@ -248,7 +249,7 @@ def test_a_general_integrator_finds_the_same() -> None:
         errors.append(np.abs(found.temperature[0, -1].ravel() - exact).max())
     assert errors[1] < 0.05
     assert errors[0] > 2.5 * errors[1]
-    told = answer(here, spec(minutes, **LATE))
+    told = solve_warm_up(here, spec(minutes, **LATE))
     worst = np.abs(told.inner_temperature[0, -1] - exact.reshape(-1, 3)[:, 1]).max()
     assert worst < told.error + 1e-3
 
@@ -260,7 +261,7 @@ def test_rigid_preload_passes_through_a_peak_that_a_spring_has_not() -> None:
     (told,) = (line for line in warnings(result) if "carries" in line)
     k = int(result.largest_load[0].argmax())
     assert f"bearing {result.bearing[k]} carries {result.largest_load[0, k]:.0f} N" in told
-    sprung = answer(scene(12e3, rigid=False), spec(90.0))
+    sprung = solve_warm_up(scene(12e3, rigid=False), spec(90.0))
     assert (sprung.largest_load < 1.15 * sprung.steady_load).all()
     assert not [*warnings(sprung)]
 
@@ -280,13 +281,13 @@ def test_temperatures_that_run_away_end_with_their_time() -> None:
 
 @cache
 def without_balance() -> WarmUpResult:
-    return answer(scene(20e3, flow=WEAK), spec(30.0))
+    return solve_warm_up(scene(20e3, flow=WEAK), spec(30.0))
 
 
 def test_a_speed_without_balance_says_so_however_short_the_time() -> None:
     """What runs away later, and is not compared with a warm spindle that does not exist."""
     runs_away = without_balance().ended[0]
-    short = answer(scene(3e3, 20e3, flow=WEAK), spec(runs_away / 60.0 / 2.0))
+    short = solve_warm_up(scene(3e3, 20e3, flow=WEAK), spec(runs_away / 60.0 / 2.0))
     assert short.ending == ("", "")
     assert np.isfinite(short.steady_load[0]).all()
     assert np.isnan(short.steady_inner_temperature[1]).all()
@@ -305,14 +306,14 @@ def test_speeds_without_balance_need_none_beside_them_that_has_one() -> None:
     """Where `warm_up` alone is asked; other analyses need a steady state."""
     asked = {"warm_up": spec(30.0)}
     machine, given, at = held(rigid=True), Conditions(heat_flow=WEAK), (20e3 * RPM,)
-    found = answer_spindle(machine, given, at, asked, lambda _: None)
+    found = solve_spindle(machine, given, at, asked, lambda _: None)
     alone = found.results["warm_up"]
     assert isinstance(alone, WarmUpResult)
     assert "temperatures run away" in alone.ending[0]
     assert alone.ended == without_balance().ended
     both = asked | {"preload": PreloadSpec()}
     with pytest.raises(NoSolution, match="temperatures run away"):
-        answer_spindle(machine, given, at, both, lambda _: None)
+        solve_spindle(machine, given, at, both, lambda _: None)
 
 
 def test_a_spindle_without_preload_at_the_start_says_so() -> None:
@@ -324,7 +325,7 @@ def test_a_spindle_without_preload_at_the_start_says_so() -> None:
     loose = replace(machine, seats=seats, sleeves=(light,))
     flow = replace(FLOW, shaft=90.0, housing=20.0)
     here = Scene(loose, Conditions(heat_flow=flow), np.array([1e3]) * RPM)
-    result = answer(here, spec(1.0))
+    result = solve_warm_up(here, spec(1.0))
     assert result.outcome == result.ending
     assert result.outcome[0].startswith("no axial state at the start, at temperatures up to 20 °C")
     assert np.isnan(result.axial_load).all()
@@ -338,7 +339,7 @@ def test_a_speed_without_a_start_leaves_the_figure_of_the_others() -> None:
 
 
 def test_no_accuracy_is_claimed_where_temperatures_run_away() -> None:
-    gone = answer(scene(15e3, flow=WEAK), spec(30.0))
+    gone = solve_warm_up(scene(15e3, flow=WEAK), spec(30.0))
     assert gone.ending[0]
     assert math.isnan(gone.error)
     assert not accuracy(gone)
@@ -352,7 +353,8 @@ def test_steps_are_halved_until_the_time_of_running_away_stays() -> None:
     """Runs of 160 and 320 steps end at 778 and 766 s, one of 40 at 879 s."""
     machine = rotordyn.load("spindle_deep_groove_rear").spindle
     assert machine is not None
-    result = answer(Scene(machine, Conditions(heat_flow=WEAK), np.array([9e3]) * RPM), spec(60.0))
+    scene = Scene(machine, Conditions(heat_flow=WEAK), np.array([9e3]) * RPM)
+    result = solve_warm_up(scene, spec(60.0))
     assert "run away at bearing rear" in result.ending[0]
     assert result.ended == pytest.approx(770.0, rel=0.05)
 
@@ -372,7 +374,7 @@ def test_a_bearing_pressed_from_either_side_has_its_largest_load() -> None:
         for seat in machine.seats
     )
     one, other = (
-        answer(Scene(each, Conditions(heat_flow=FLOW), np.array([6e3]) * RPM), spec(60.0))
+        solve_warm_up(Scene(each, Conditions(heat_flow=FLOW), np.array([6e3]) * RPM), spec(60.0))
         for each in (machine, replace(machine, seats=turned))
     )
     assert other.axial_load[..., 2] == pytest.approx(-one.axial_load[..., 2], rel=1e-6)
@@ -390,7 +392,7 @@ def test_a_bearing_pressed_from_either_side_has_its_largest_load() -> None:
 def late() -> tuple[Scene, WarmUpResult]:
     """The spindle whose shaft and housing warm in their own time."""
     here = scene(9e3)
-    return here, answer(here, spec(20.0, **LATE))
+    return here, solve_warm_up(here, spec(20.0, **LATE))
 
 
 def test_loads_on_the_way_are_those_of_all_temperatures_there() -> None:
@@ -487,7 +489,7 @@ def test_temperatures_on_their_way_are_told_where_loads_are_those_in_the_end() -
     soft = replace(sleeve, spring=replace(sleeve.spring, stiffness=0.5e6))
     machine = replace(machine, sleeves=(soft,))
     here = Scene(machine, Conditions(heat_flow=FLOW), np.array([8e3]) * RPM)
-    result, to_the_end = answer(here, spec(4.0)), answer(here, spec(90.0))
+    result, to_the_end = solve_warm_up(here, spec(4.0)), solve_warm_up(here, spec(90.0))
     assert result.axial_load[0, -1] == pytest.approx(result.steady_load[0], rel=0.02)
     reached, end = result.outer_temperature[0, -1], to_the_end.outer_temperature[0, -1]
     assert result.steady_outer_temperature[0] == pytest.approx(end, abs=0.05)
@@ -528,7 +530,7 @@ def test_loads_across_the_axis_take_no_part() -> None:
     """The spindle warms up without them, and so it is in balance in the end."""
     alone, pushed = scene(9e3), Conditions(heat_flow=FLOW, loads=(PointLoad("nose", Fy=800.0),))
     loaded = Scene(alone.spindle, pushed, alone.speed)
-    both = [answer(each, spec(0.5)) for each in (alone, loaded)]
+    both = [solve_warm_up(each, spec(0.5)) for each in (alone, loaded)]
     assert (both[0].axial_load == both[1].axial_load).all()
     assert both[0].steady_load == pytest.approx(both[1].steady_load, rel=1e-9)
 
@@ -552,7 +554,7 @@ def test_balls_hold_what_their_mass_does() -> None:
 
 def test_it_begins_where_everything_is_cold() -> None:
     here = scene(3e3)
-    result = answer(here, replace(spec(1.0), start=None))
+    result = solve_warm_up(here, replace(spec(1.0), start=None))
     assert result.inner_temperature[0, 0] == pytest.approx(29.0, abs=1.5)
     assert result.outer_temperature[0, 0] == pytest.approx(25.6, abs=1.0)
     told = "\n".join(summary(result))

@@ -34,7 +34,7 @@ def test_whirl_degree_of_a_tilting_disc() -> None:
     held = [support(name, x, (ky, kz)) for name, x in (("a", 0.0), ("b", 2 * arm))]
     rotor = uniform(2 * arm, 0.2, LIGHT, masses=(disc,), supports=held)
     scene = Scene(rotor, Conditions(accuracy=1e-8), np.array([0.0, spin]), 100.0)
-    found = campbell.answer(scene, CampbellSpec(100.0, shapes=False))
+    found = campbell.solve(scene, CampbellSpec(100.0, shapes=False))
     stiff = np.array([2.0 * k * arm**2 / tilted for k in (ky, kz)])
     turn = spin * polar / tilted
     middle = 0.5 * (stiff.sum() + turn**2)
@@ -77,7 +77,7 @@ def test_at_rest_uneven_supports_have_planar_shapes(ratio: float) -> None:
     held = [support(name, x, (1e9, ratio * 1e9)) for name, x in (("a", 0.0), ("b", 1.0))]
     rotor = uniform(1.0, 0.01, STEEL, supports=held)
     scene = Scene(rotor, Conditions(), np.array([0.0, 500.0]), 400.0)
-    found = campbell.answer(scene, CampbellSpec(400.0))
+    found = campbell.solve(scene, CampbellSpec(400.0))
     split = np.diff(found.frequency[0])[::2] / found.frequency[0, ::2]
     assert 1e-9 < split.min() < 1e-6
     assert found.whirl_degree[0] == pytest.approx(0.0, abs=1e-4)
@@ -94,7 +94,7 @@ def test_decrement_and_rigid_body_labels() -> None:
     ]
     bar = uniform(1.0, 0.05, STEEL, supports=ends)
     scene = Scene(bar, Conditions(), np.array([0.0, 500.0]), 3000.0)
-    found = campbell.answer(scene, CampbellSpec(3000.0, shapes=False))
+    found = campbell.solve(scene, CampbellSpec(3000.0, shapes=False))
     ratio = found.damping_ratio
     assert (ratio > 0.0)[:, np.array(found.kind) != "torsion"].all()
     expected = 2.0 * math.pi * ratio / np.sqrt(1.0 - ratio**2)
@@ -124,7 +124,7 @@ def test_a_rotor_has_four_rigid_body_modes_of_bending_at_most() -> None:
     disc = PointMass("disc", 0.0, 5.0, 0.1, 0.075)
     rotor = uniform(0.645, 0.1, STEEL, inner=0.062, masses=(disc,), supports=held)
     scene = Scene(rotor, Conditions(), np.array([0.0]), 2500.0)
-    found = campbell.answer(scene, CampbellSpec(2500.0, shapes=False))
+    found = campbell.solve(scene, CampbellSpec(2500.0, shapes=False))
     share = found.rigid_share[0]
     assert (share > 0.5).sum() == 5
     called = [k for k, word in enumerate(found.character) if word == "rigid-body bending"]

@@ -25,7 +25,7 @@ Array = NDArray[np.float64]
 NONE = 1e-9  # of the range of the cycle: a smaller force counts as zero
 
 
-def answer(scene: Scene, spec: AxialCycleSpec) -> AxialCycleResult:
+def solve(scene: Scene, spec: AxialCycleSpec) -> AxialCycleResult:
     """Solve positions, loads, friction and stiffness over the cycle.
 
     Raises

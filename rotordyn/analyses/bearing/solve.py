@@ -33,7 +33,7 @@ TILTS = [3, 4]
 SAME = 1e-3  # of a load: less is rounding of a load that a spring holds
 
 
-def answer(
+def solve(
     bearing: BallBearing, conditions: Conditions, speed: Array, spec: BearingMapSpec
 ) -> BearingMapResult:
     """Solve state and tangent of ``bearing`` at every speed and load.

@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 OF_BALLS = ("inner_load", "outer_load", "inner_angle", "outer_angle")
 
 
-def answer(scene: Scene, spec: BearingLoadsSpec) -> BearingLoadsResult:
+def solve(scene: Scene, spec: BearingLoadsSpec) -> BearingLoadsResult:
     """Solve loads on the inner rings, in the directions of the spindle, and loads of the balls."""
     seats, states = scene.spindle.seats, scene.preload.seat_states()
     shown, most_balls = scene.solved_only, max(seat.bearing.balls for seat in seats)

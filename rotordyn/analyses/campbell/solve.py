@@ -27,7 +27,7 @@ from rotordyn.scene.scene import Scene
 TIE = 1e-9  # of the largest displacement of a shape: less is rounding
 
 
-def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
+def solve(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     """Solve bending, axial and torsion modes up to ``spec.max_frequency``, of a model refined to
     the required accuracy (``refinement``).
 

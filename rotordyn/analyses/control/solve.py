@@ -27,7 +27,7 @@ THOUSAND_RPM = 1000.0 / RPM.factor  # [rad/s]
 BOUNDARY_WORDS = {"inner": "inner race controls above", "outer": "outer race controls up to"}
 
 
-def answer(
+def solve(
     bearing: BallBearing, conditions: Conditions, speed: Array, spec: ControlSpec
 ) -> ControlResult:
     """Solve both boundaries of race control at every speed, with fits, and margins in between.

@@ -58,7 +58,7 @@ _KINDS: dict[str, type[FrequencyResponse]] = {
 }
 
 
-def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
+def solve(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
     """Frequency responses H (speeds, pairs, frequencies) to unit forces and moments, bearing speed
     included, of a model refined to the accuracy requested.
 

@@ -30,7 +30,7 @@ OIL_FIELDS = (  # NaN without a lubricant
 )
 
 
-def answer(scene: Scene, spec: LifeSpec) -> LifeResult:
+def solve(scene: Scene, spec: LifeSpec) -> LifeResult:
     """Life, safety and heat of every bearing over speed, once for seats of one batch and rating."""
     state, seats = scene.preload, scene.spindle.seats
     solved = np.array([word == "" for word in scene.outcome])

@@ -38,7 +38,7 @@ FREE = 1e-5  # of the highest frequency: a slower pole is that of a rigid-body m
 NARROW = 1e-6  # of the frequency: half width of a peak; narrower ones are drawn without top
 
 
-def answer(scene: Scene, spec: MatricesSpec) -> MatricesResult:
+def solve(scene: Scene, spec: MatricesSpec) -> MatricesResult:
     """Matrices and receptances at every speed with a state.
 
     Raises

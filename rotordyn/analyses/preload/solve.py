@@ -22,7 +22,7 @@ from rotordyn.scene.scene import Scene
 Array = NDArray[np.float64]
 
 
-def answer(scene: Scene, spec: PreloadSpec) -> PreloadResult:
+def solve(scene: Scene, spec: PreloadSpec) -> PreloadResult:
     """The preload state over speeds and bearings; of the balls, that of the largest load."""
     state, rows, solved_only = scene.preload, scene.bearing_row, scene.solved_only
     solved = np.array([word == "" for word in scene.outcome])

@@ -26,7 +26,7 @@ from rotordyn.scene.scene import Scene
 COMPONENTS = ("Fx", "Fy", "Fz", "Mx", "My", "Mz")
 
 
-def answer(scene: Scene, spec: SectionForcesSpec) -> SectionForcesResult:
+def solve(scene: Scene, spec: SectionForcesSpec) -> SectionForcesResult:
     """Section forces, elastic line, stress and twist at every speed with a solution.
 
     Raises

@@ -32,7 +32,7 @@ Complex = NDArray[np.complex128]
 Rows = NDArray[np.intp]
 
 
-def answer(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
+def solve(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
     """Return limits at every speed, with the machine in its state there, and with that at rest.
 
     Raises

@@ -24,7 +24,7 @@ DIRECTIONS = ("y", "z")
 DEFLECTION = [position("y"), position("z")]
 
 
-def answer(scene: Scene, spec: StaticSagSpec) -> StaticSagResult:
+def solve(scene: Scene, spec: StaticSagSpec) -> StaticSagResult:
     """Sag, slope and runout at every speed with a solution.
 
     Raises

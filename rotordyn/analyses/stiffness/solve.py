@@ -48,7 +48,7 @@ class Variant:
     outcome: NDArray[np.str_]
 
 
-def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
+def solve(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
     """Deflection curves, tangent at no load and secant at full load (speeds, variants, …)."""
     force = np.linspace(0.0, spec.max_force, spec.steps + 1)
     rotor = _rotor(scene, spec)

@@ -12,7 +12,7 @@ from rotordyn.machine.temperatures import MEASURED, Temperatures
 from rotordyn.scene.scene import Scene
 
 
-def answer(scene: Scene, spec: ThermalPreloadSpec) -> ThermalPreloadResult:
+def solve(scene: Scene, spec: ThermalPreloadSpec) -> ThermalPreloadResult:
     """Axial loads and ring growth over speed and difference; NaN without a usable state."""
     base = scene.conditions.temperatures or Temperatures(shaft=MEASURED)
     rows, cold = scene.bearing_row, np.array(scene.outcome, dtype=str)

@@ -59,7 +59,7 @@ class Motion(NamedTuple):
     coarser: Array
 
 
-def answer(scene: Scene, spec: TimeResponseSpec) -> TimeResponseResult:
+def solve(scene: Scene, spec: TimeResponseSpec) -> TimeResponseResult:
     """Return the response at every speed with a state.
 
     Raises

@@ -44,7 +44,7 @@ UNDAMPED = 1e-9  # of the speed: a pole this near to the excitation has no dampi
 BESIDE = 0.2 * NARROW  # of a speed: distance from a pole without damping at which lines break
 
 
-def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
+def solve(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
     """Return the response at every speed with a steady solution, by a model refined to the accuracy
     of the case.
 

@@ -21,7 +21,7 @@ NEAR = 0.1  # of the time at which temperatures run away: its largest change by 
 STEEL, CERAMIC, LIGHT = 460.0, 700.0, 4500.0  # specific heats [J/(kg K)], the density between them
 
 
-def answer(scene: Scene, spec: WarmUpSpec) -> WarmUpResult:
+def solve(scene: Scene, spec: WarmUpSpec) -> WarmUpResult:
     """Return the warm-up of every bearing at every speed, also where temperatures run away.
 
     Raises

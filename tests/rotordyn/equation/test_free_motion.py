@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rotordyn.analyses.frf.solve import answer
+from rotordyn.analyses.frf.solve import solve
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.equation.free_motion import answering_stiffness, free_motions
 from rotordyn.equation.hysteresis import Signs
@@ -79,7 +79,7 @@ def test_planes_apart_answer_each_other_with_nothing() -> None:
         spindle = replace(ROTOR, supports=supports)
         scene = Scene(spindle, Conditions(), np.array([rpm * RPM]), 1000.0, (-0.05, 0.11))
         spec = FrfSpec((100.0, 900.0), pairs("tip.z/tip.y", "mid.y/tip.z"))
-        found = answer(scene, spec)
+        found = solve(scene, spec)
         assert (found.receptance == 0.0).all() == apart
         assert (found.receptance != 0.0).all() != apart
         assert not (apart and found.error.any())
@@ -173,7 +173,7 @@ def test_planes_alike_at_one_speed_alone(
     again = free_motions(whole.linear.at(row).scaled(np.ones(1), np.ones(1)))
     np.testing.assert_allclose(again.receptance(OMEGA, *every), given, atol=scale)
     spec = FrfSpec(tuple(np.linspace(50.0, 900.0, 30)), pairs("tip.y/tip.y", "mid.z/tip.y"))
-    found = answer(scene, spec)
+    found = solve(scene, spec)
     drawn = found.slice_value[
         even, :, np.searchsorted(found.slice_frequency[even], spec.frequencies)
     ]

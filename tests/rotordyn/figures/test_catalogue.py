@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from rotordyn.analyses.bearing.solve import answer
+from rotordyn.analyses.bearing.solve import solve
 from rotordyn.analyses.bearing.spec import BearingMapSpec
 from rotordyn.analyses.bearing.summary import summary
 from rotordyn.cli.streams import bar
@@ -184,7 +184,7 @@ def test_a_bearing_whose_balls_differ(keys):
     bearing = four_point(R24_14)
     spec = BearingMapSpec(axial_load=20e3, **keys)
     speed = np.array([0.0, 3000.0]) * RPM
-    found = answer(bearing, Conditions(kinematics="outer"), speed, spec)
+    found = solve(bearing, Conditions(kinematics="outer"), speed, spec)
     jobs = figures(samples.SampleCase(bearing=bearing), {"bearing": found})
     assert [name for name, _ in jobs] == [
         "bearing",
@@ -205,7 +205,7 @@ def test_a_bearing_whose_balls_differ(keys):
 def test_a_four_point_bearing_under_thrust(tmp_path):
     bearing = four_point(QJ218)
     speed = np.array([0.0, 2000.0, 4000.0, 8000.0]) * RPM
-    found = answer(bearing, Conditions(), speed, BearingMapSpec((5e3, 20e3)))
+    found = solve(bearing, Conditions(), speed, BearingMapSpec((5e3, 20e3)))
     jobs = figures(samples.SampleCase(bearing=bearing), {"bearing": found})
     assert [name for name, _ in jobs] == [
         *("bearing", "bearing_motion", "bearing_life", "bearing_contacts")

@@ -34,7 +34,7 @@ def scene() -> Scene:
 
 @pytest.fixture(scope="module")
 def modes(scene: Scene) -> CampbellResult:
-    return campbell.answer(scene, CampbellSpec(250.0, engine_orders=(1, 2)))
+    return campbell.solve(scene, CampbellSpec(250.0, engine_orders=(1, 2)))
 
 
 def turning(ratio: float, modes: CampbellResult) -> CampbellResult:
@@ -145,7 +145,7 @@ def test_a_rotor_beside_and_one_within_can_be_drawn() -> None:
 
 def test_text_and_tables_name_the_rotors(modes: CampbellResult, scene: Scene, tmp_path) -> None:
     spec = UnbalanceSpec(("d1", "outer.d2"), unbalances=(Unbalance("outer.d2", 1e-4),))
-    moved = unbalance.answer(scene, spec)
+    moved = unbalance.solve(scene, spec)
     own = replace(case("lalanne_ferraris"), spindle=COAXIAL)
     text = " ".join(summary(own, {"campbell": modes, "unbalance": moved}).split())
     assert "rotor outer, 1.5 × the speed, 12.32 kg" in text

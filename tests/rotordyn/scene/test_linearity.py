@@ -9,12 +9,12 @@ import pytest
 
 from rotordyn.analyses import Lubrication
 from rotordyn.analyses.section_forces.result import SectionForcesResult
-from rotordyn.analyses.section_forces.solve import answer as statics
+from rotordyn.analyses.section_forces.solve import solve as statics
 from rotordyn.analyses.section_forces.spec import SectionForcesSpec
 from rotordyn.analyses.section_forces.summary import warnings as static_warnings
 from rotordyn.analyses.unbalance.result import UnbalanceResult
 from rotordyn.analyses.unbalance.runs import _departure
-from rotordyn.analyses.unbalance.solve import answer as orbits
+from rotordyn.analyses.unbalance.solve import solve as orbits
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.analyses.unbalance.summary import warnings as orbit_warnings
 from rotordyn.equation.seat import HALF_TURN_ABOUT_Y

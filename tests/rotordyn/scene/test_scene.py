@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rotordyn.analyses.campbell.solve import answer as campbell_answer
+from rotordyn.analyses.campbell.solve import solve as campbell_answer
 from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.preload.spec import PreloadSpec
-from rotordyn.analyses.solving import answer_spindle
+from rotordyn.analyses.solving import solve_spindle
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.errors import NoSolution
 from rotordyn.machine.growth import PrescribedShortening
@@ -46,7 +46,7 @@ STAGES = {"mesh", "preload", "shaft_force", "buckling", "tangents", "rotor", "su
 
 def skipped(analyses: dict[str, Any]) -> set[str]:
     speeds = (0.0, 12000 * RPM)
-    found = answer_spindle(mfw2310(), conditions(), speeds, analyses, lambda name: None)
+    found = solve_spindle(mfw2310(), conditions(), speeds, analyses, lambda name: None)
     return set(found.skipped)
 
 
@@ -215,16 +215,16 @@ def test_a_state_that_only_one_of_both_models_has_is_named(monkeypatch: pytest.M
 
 def test_tolerances_reached() -> None:
     speeds = tuple(n * RPM for n in (0, 12000, 24000))
-    found = answer_spindle(mfw2310(), conditions(), speeds, ASKED, lambda name: None)
+    found = solve_spindle(mfw2310(), conditions(), speeds, ASKED, lambda name: None)
     assert len(found.tolerances) >= 2
     assert max(found.tolerances.values()) < 1e-8
-    assert set(found.seconds) >= {"preload", "rotor", *(f"answer {name}" for name in ASKED)}
+    assert set(found.seconds) >= {"preload", "rotor", *(f"solve {name}" for name in ASKED)}
 
 
 def test_only_questions_asked_report_progress() -> None:
     seen: list[str] = []
     speeds = (0.0,)
-    answer_spindle(mfw2310(), conditions(), speeds, {"frf": ASKED["frf"]}, seen.append)
+    solve_spindle(mfw2310(), conditions(), speeds, {"frf": ASKED["frf"]}, seen.append)
     assert seen == ["frf"]
 
 

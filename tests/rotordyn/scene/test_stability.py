@@ -13,7 +13,7 @@ import pytest
 
 from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.analyses.frf.spec import FrfSpec
-from rotordyn.analyses.solving import Answers, answer_spindle
+from rotordyn.analyses.solving import Answers, solve_spindle
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.shaft import Section, Shaft
@@ -48,7 +48,7 @@ def held(
 def solved(spindle: Spindle, highest: float = 400.0) -> Answers:
     asked: dict[str, Any] = {"campbell": CampbellSpec(highest, shapes=False)}
     speeds = (0.0, 1000.0 * RPM)
-    return answer_spindle(spindle, Conditions(rotor="rigid"), speeds, asked, lambda name: None)
+    return solve_spindle(spindle, Conditions(rotor="rigid"), speeds, asked, lambda name: None)
 
 
 @pytest.mark.parametrize("share", [0.9, 1.1], ids=["below", "above"])
@@ -88,7 +88,7 @@ def test_the_first_unstable_speed_is_told_with_the_growth_there() -> None:
         for s in swirled(0.0).supports
     )
     asked: dict[str, Any] = {"campbell": CampbellSpec(400.0, shapes=False)}
-    answers = answer_spindle(
+    answers = solve_spindle(
         replace(swirled(0.0), supports=held),
         Conditions(rotor="rigid"),
         (0.0, first, 2.0 * first),
@@ -124,7 +124,7 @@ def test_divergence_of_a_whirl_is_no_vibration(rotor: str) -> None:
     asked: dict[str, Any] = {"campbell": CampbellSpec(400.0, shapes=False)}
     spindle = uniform(0.5, 0.05, supports=ends)
     speeds = (0.0, 1000.0 * RPM)
-    answers = answer_spindle(spindle, Conditions(rotor=rotor), speeds, asked, lambda name: None)
+    answers = solve_spindle(spindle, Conditions(rotor=rotor), speeds, asked, lambda name: None)
     (sentence,) = answers.warnings
     assert "vibrates at" not in sentence
     assert "moves away without vibrating (divergence" in sentence
@@ -143,7 +143,7 @@ def test_the_speed_at_which_a_divergence_begins() -> None:
     )
     asked: dict[str, Any] = {"campbell": CampbellSpec(400.0, shapes=False)}
     given, speeds = Conditions(rotor="rigid"), (0.0, 300.0, 1000.0)
-    answers = answer_spindle(
+    answers = solve_spindle(
         uniform(0.5, 0.05, supports=ends), given, speeds, asked, lambda name: None
     )
     found = answers.results["campbell"]
@@ -153,7 +153,7 @@ def test_the_speed_at_which_a_divergence_begins() -> None:
 
 def test_receptances_of_an_unstable_machine_are_warned_of() -> None:
     asked = {"frf": FrfSpec((10.0, 50.0), pairs("mid.y/mid.y"))}
-    answers = answer_spindle(
+    answers = solve_spindle(
         swirled(STIFF), Conditions(), (0.0, 1000.0 * RPM), asked, lambda name: None
     )
     assert answers.results["frf"].unstable.all()
@@ -169,7 +169,7 @@ def test_what_a_slow_model_gives_mass_does_not_vibrate() -> None:
     ends = (support("a", 0.0, (STIFF, STIFF)), support("b", 0.5, (STIFF, -3.0 * STIFF)))
     pushed = replace(uniform(0.5, 0.05, supports=ends), points={"mid": 0.25})
     for spindle, said in ((stable, False), (pushed, True)):
-        answers = answer_spindle(
+        answers = solve_spindle(
             spindle, Conditions(accuracy=1e-6), (0.0,), asked, lambda name: None
         )
         assert answers.results["frf"].unstable.any() == said
@@ -198,7 +198,7 @@ def test_an_instability_above_the_band_is_no_fact(highest: float, told: str) -> 
         ),
     )
     asked: dict[str, Any] = {"campbell": CampbellSpec(highest, shapes=False)}
-    (sentence,) = answer_spindle(spindle, Conditions(), (300.0,), asked, lambda name: None).warnings
+    (sentence,) = solve_spindle(spindle, Conditions(), (300.0,), asked, lambda name: None).warnings
     assert told in sentence
 
 

@@ -66,7 +66,7 @@ def test_bearings_are_judged_wherever_they_were_solved(monkeypatch: pytest.Monke
 def test_a_bearing_that_a_radial_force_unloads_is_named() -> None:
     """The same force is far from unloading the machine as it is built."""
     built = Scene(mfw2310(), conditions(), np.array([0.0]))
-    found = stiffness.answer(built, StiffnessSpec(POINT, 100.0, variants=("nonlinear",)))
+    found = stiffness.solve(built, StiffnessSpec(POINT, 100.0, variants=("nonlinear",)))
     assert not stiffness_summary.warnings(found)
     assert np.isnan(found.unloading_force).all()
     force, ball, azimuth = np.full((3, *found.unloading_force.shape), np.nan)
@@ -88,10 +88,10 @@ def test_half_the_preload_unloads_at_less_force() -> None:
             for each in machine.sleeves
         )
         scene = Scene(replace(machine, sleeves=sleeves), conditions(), np.array([0.0]))
-        found = stiffness.answer(scene, StiffnessSpec(POINT, 3e3, 60, variants=("nonlinear",)))
+        found = stiffness.solve(scene, StiffnessSpec(POINT, 3e3, 60, variants=("nonlinear",)))
         assert stiffness_summary.warnings(found)
         first.append(np.nanmin(found.unloading_force))
-        coarse = stiffness.answer(scene, StiffnessSpec(POINT, 3e3, 1, variants=("nonlinear",)))
+        coarse = stiffness.solve(scene, StiffnessSpec(POINT, 3e3, 1, variants=("nonlinear",)))
         assert coarse.unloading_force == pytest.approx(found.unloading_force, rel=1e-3, nan_ok=True)
         assert (coarse.unloaded_ball == found.unloaded_ball)[~np.isnan(found.unloading_force)].all()
     assert first[1] < 0.75 * first[0]

@@ -12,7 +12,7 @@ import pytest
 import bearings
 from rotordyn.analyses.bearing.figures.contacts import contacts_figure
 from rotordyn.analyses.bearing.result import MomentMapResult, RadialMapResult, motion
-from rotordyn.analyses.bearing.solve import answer, tangent_error
+from rotordyn.analyses.bearing.solve import solve, tangent_error
 from rotordyn.analyses.bearing.spec import BearingMapSpec
 from rotordyn.analyses.bearing.summary import warnings
 from rotordyn.analyses.known import matches
@@ -30,7 +30,7 @@ SPEED = np.array([0.0, 15000.0, 30000.0]) * RPM
 
 
 def test_each_entry_is_the_bearing_alone() -> None:
-    found = answer(VEX70, Conditions(), SPEED, BearingMapSpec((250.0, 1220.0), 2e-6))
+    found = solve(VEX70, Conditions(), SPEED, BearingMapSpec((250.0, 1220.0), 2e-6))
     assert (found.outcome == "").all()
     *words, moved = motion(found)
     assert words == ["axial deflection", "µm"]
@@ -52,8 +52,8 @@ def test_each_entry_is_the_bearing_alone() -> None:
 
 def test_known_stiffness_at_30000_rpm() -> None:
     """Noël (2013), Fig. 2.21 with the physical sign: 23.9 and 32.6 N/µm at 1000 N, hybrid."""
-    found = answer(VEX70, Conditions(moment_sharing="hybrid"), SPEED[2:], BearingMapSpec((1000.0,)))
-    equal = answer(VEX70, Conditions(), SPEED[2:], BearingMapSpec((1000.0,)))
+    found = solve(VEX70, Conditions(moment_sharing="hybrid"), SPEED[2:], BearingMapSpec((1000.0,)))
+    equal = solve(VEX70, Conditions(), SPEED[2:], BearingMapSpec((1000.0,)))
     values = [np.diag(f.stiffness[0, 0, 0])[:2] / 1e6 for f in (found, equal)]
     expected = np.array([23.9, 32.6])
     assert min(np.abs(v / expected - 1).max() for v in values) < 5e-3
@@ -61,7 +61,7 @@ def test_known_stiffness_at_30000_rpm() -> None:
 
 def test_tangents_side_by_side() -> None:
     names = ("frozen", "complete", "difference")
-    found = answer(VEX70, Conditions(), SPEED, BearingMapSpec((250.0, 1000.0), tangents=names))
+    found = solve(VEX70, Conditions(), SPEED, BearingMapSpec((250.0, 1000.0), tangents=names))
     assert found.tangent == names
     for place, name in enumerate(names):
         state = VEX70.equilibrium(load=[250.0, 0, 0, 0, 0], speed=SPEED[2])
@@ -77,17 +77,17 @@ def test_tangents_side_by_side() -> None:
 def test_a_published_error_stands_beside_the_largest_of_ours() -> None:
     known = Reference("frozen_error", "published", "x", (SPEED[2],), (0.16,))
     spec = BearingMapSpec((250.0, 1000.0), tangents=("complete", "frozen"))
-    found = answer(VEX70, Conditions(kinematics="outer"), SPEED, spec)
+    found = solve(VEX70, Conditions(kinematics="outer"), SPEED, spec)
     (match,) = matches([known], {"bearing": found}, None)
     assert match.values == pytest.approx((0.125,), abs=6e-4)
-    alone = answer(VEX70, Conditions(), SPEED, BearingMapSpec((250.0,)))
+    alone = solve(VEX70, Conditions(), SPEED, BearingMapSpec((250.0,)))
     assert matches([known], {"bearing": alone}, None) == []
 
 
 def test_control_that_the_kinematics_assumes_is_checked() -> None:
     """At 30 000 rpm the outer race controls; inner control contradicts Jones' criterion there."""
     for kinematics, agrees in (("outer", True), ("inner", False), ("hybrid", True)):
-        found = answer(
+        found = solve(
             VEX70, Conditions(kinematics=kinematics), SPEED[2:], BearingMapSpec((1220.0,))
         )
         assert found.control.tolist() == [["outer"]]
@@ -97,7 +97,7 @@ def test_control_that_the_kinematics_assumes_is_checked() -> None:
 def test_a_load_without_state_keeps_its_reason() -> None:
     """Inner control ends with a jump at low load: NaN only beside the outcome, in every tangent."""
     spec = BearingMapSpec((5.0, 2000.0), tangents=("complete", "frozen", "difference"))
-    found = answer(VEX70, Conditions(kinematics="inner"), SPEED[2:], spec)
+    found = solve(VEX70, Conditions(kinematics="inner"), SPEED[2:], spec)
     assert "no equilibrium at 30000 rpm under 5 N: raise the load" in found.outcome[0, 0]
     assert "or use outer or hybrid kinematics" in found.outcome[0, 0]
     assert np.isnan(found.stiffness[0, 0]).all()
@@ -108,7 +108,7 @@ def test_a_load_without_state_keeps_its_reason() -> None:
 
 
 def test_static_bearing_does_not_know_the_speed() -> None:
-    found = answer(VEX70, Conditions(bearings="static"), SPEED, BearingMapSpec((500.0,)))
+    found = solve(VEX70, Conditions(bearings="static"), SPEED, BearingMapSpec((500.0,)))
     assert found.deflection.shape == (3, 1)
     assert (found.deflection == found.deflection[0]).all()
     assert (found.centrifugal_force == 0).all()
@@ -118,14 +118,14 @@ def test_growth_that_takes_the_whole_contact_angle() -> None:
     """arccos(cos α + Δu0/BD) without a value: nothing can be solved."""
     limit = 0.1 * 9.525e-3 * (1 - math.cos(math.radians(25)))
     with pytest.raises(NoSolution):
-        answer(VEX70, Conditions(), SPEED, BearingMapSpec((500.0,), 1.05 * limit))
+        solve(VEX70, Conditions(), SPEED, BearingMapSpec((500.0,), 1.05 * limit))
 
 
 def test_radial_loads_over_a_fixed_thrust() -> None:
     """Case 3 of Lacroix (2014), rigid: 20 and 12 kN, angles 22.4° and 57.7°, 228 and 136 µm."""
     spec = BearingMapSpec(radial_loads=(0.0, 12e3), axial_load=20e3)
     bearing = four_point(R24_14)
-    found = answer(bearing, Conditions(kinematics="outer"), np.array([1500.0]) * RPM, spec)
+    found = solve(bearing, Conditions(kinematics="outer"), np.array([1500.0]) * RPM, spec)
     assert isinstance(found, RadialMapResult)
     assert found.contact == ("ir", "il", "or", "ol")
     assert found.ball == pytest.approx(np.arange(20) * math.pi / 10.0)
@@ -149,7 +149,7 @@ def test_radial_loads_over_a_fixed_thrust() -> None:
 
 def test_moments_turn_the_most_loaded_ball_to_the_other_side() -> None:
     spec = BearingMapSpec(moments=(0.0, 800.0), axial_load=20e3, radial_load=5e3)
-    found = answer(four_point(R24_14), Conditions(kinematics="outer"), np.zeros(1), spec)
+    found = solve(four_point(R24_14), Conditions(kinematics="outer"), np.zeros(1), spec)
     assert isinstance(found, MomentMapResult)
     assert found.loaded_ball.tolist() == [[0, 10]]
     assert found.contact_load[0, 1, 10].max() == found.contact_load[0, 1].max()
@@ -160,7 +160,7 @@ def test_moments_turn_the_most_loaded_ball_to_the_other_side() -> None:
 def test_a_moment_and_its_reverse_are_mirror_images() -> None:
     """Turned half round about x, Mz and θz change sign with the place of the balls."""
     spec = BearingMapSpec(moments=(-500.0, 500.0), axial_load=20e3)
-    found = answer(four_point(R24_14), Conditions(), np.array([3000.0]) * RPM, spec)
+    found = solve(four_point(R24_14), Conditions(), np.array([3000.0]) * RPM, spec)
     assert found.tilt[0, 0] == pytest.approx(-found.tilt[0, 1], rel=1e-6)
     *words, moved = motion(found)
     assert words == ["tilt", "mrad"]
@@ -173,7 +173,7 @@ def test_blocked_tilts() -> None:
     """The ring does not tilt, and is displaced less than with free tilts."""
     loads = dict(radial_loads=(6e3,), axial_load=20e3)
     free, held = (
-        answer(four_point(R24_14), Conditions(), np.zeros(1), BearingMapSpec(**loads, tilt=tilt))
+        solve(four_point(R24_14), Conditions(), np.zeros(1), BearingMapSpec(**loads, tilt=tilt))
         for tilt in ("free", "blocked")
     )
     assert held.tilt[0, 0] == 0.0
@@ -185,7 +185,7 @@ def test_frozen_dynamics_of_a_third_contact() -> None:
     """QJ218 at 5 kN: from 3200 rpm on by an independent code, without gyroscopic moment."""
     spec, frozen = BearingMapSpec((5e3,)), Conditions(dynamics="frozen")
     speed = np.array([3200.0 * 0.99, 3200.0 * 1.01]) * RPM
-    found = answer(four_point(QJ218), frozen, speed, spec)
+    found = solve(four_point(QJ218), frozen, speed, spec)
     assert found.contacts[:, 0, 0].tolist() == [2, 3]
     assert (found.gyroscopic_moment == 0.0).all()
     assert found.ball.size == 1  # all alike
@@ -217,7 +217,7 @@ def test_loads_that_contradict_one_another(keys: dict[str, Any], said: str) -> N
 
 def test_one_of_the_two_inertias_alone() -> None:
     found = {
-        name: answer(VEX70, Conditions(dynamics=name), SPEED[:2], BearingMapSpec((1000.0,)))
+        name: solve(VEX70, Conditions(dynamics=name), SPEED[:2], BearingMapSpec((1000.0,)))
         for name in ("resultant", "centrifugal", "gyroscopic")
     }
     alone = VEX70.equilibrium(load=[1000, 0, 0, 0, 0], speed=SPEED[1], dynamics="centrifugal")
@@ -232,7 +232,7 @@ def test_one_of_the_two_inertias_alone() -> None:
 def test_films_are_those_of_the_bearing_alone() -> None:
     spec = BearingMapSpec((610.0,), films=True, lubricant=OIL)
     found, bare = (
-        answer(VEX70, Conditions(), SPEED[:2], each)
+        solve(VEX70, Conditions(), SPEED[:2], each)
         for each in (spec, BearingMapSpec((610.0,), lubricant=OIL))
     )
     alone = bearings.on_film.on_film(VEX70, OIL.oil, 50.0, load=[610.0, 0, 0, 0, 0], speed=SPEED[1])
@@ -246,7 +246,7 @@ def test_films_are_those_of_the_bearing_alone() -> None:
 def test_hot_oil_lowers_the_rating_and_says_so() -> None:
     """To 0.42 at 250 °C; lives fall with its cube."""
     cool, hot = (
-        answer(VEX70, Conditions(), SPEED[:2], BearingMapSpec((610.0,), lubricant=oil))
+        solve(VEX70, Conditions(), SPEED[:2], BearingMapSpec((610.0,), lubricant=oil))
         for oil in (OIL, replace(OIL, temperature=250.0))
     )
     assert hot.revolutions == pytest.approx(0.42**3 * cool.revolutions)
@@ -260,7 +260,7 @@ def test_temperatures_are_those_of_the_bearing_alone() -> None:
 
     spec = BearingMapSpec((300.0, 610.0), heat_flow=FLOW, lubricant=OIL)
     speed = np.array([0.0, 8e3, 16e3, 24e3]) * RPM
-    found = answer(VEX70, Conditions(), speed, spec)
+    found = solve(VEX70, Conditions(), speed, spec)
     mounting = heat.Mounting(OIL.oil, FLOW.conductances, FLOW.surroundings)
     alone = heat.heated(VEX70, mounting, speed=speed[2], preload=610.0)
     assert found.ball_temperature[2, 1] == pytest.approx(alone.temperatures.balls[0], abs=1e-3)
@@ -273,7 +273,7 @@ def test_temperatures_are_those_of_the_bearing_alone() -> None:
     assert (found.speed_limit > speed[2]).all()
     assert (found.speed_limit < speed[3]).all()
     soft = replace(spec, heat_flow=replace(FLOW, mounting="spring"))
-    cool = answer(VEX70, Conditions(), speed[:3], soft)
+    cool = solve(VEX70, Conditions(), speed[:3], soft)
     assert (cool.ball_temperature[1:] < found.ball_temperature[1:3]).all()
     assert cool.axial_force == pytest.approx(np.broadcast_to([300.0, 610.0], (3, 2)))
     assert np.isnan(cool.speed_limit).all()
@@ -286,7 +286,7 @@ def test_heat_that_cannot_leave_is_refused() -> None:
 
 def test_what_numbers_of_contacts_mean_stands_above_their_curves() -> None:
     spec = BearingMapSpec(radial_loads=(-3e3, 0.0, 6e3), axial_load=-5e3)
-    found = answer(four_point(QJ218), Conditions(), np.array([0.0, 6000.0]) * RPM, spec)
+    found = solve(four_point(QJ218), Conditions(), np.array([0.0, 6000.0]) * RPM, spec)
     figure = contacts_figure(found)
     figure.canvas.draw()
     axes = figure.axes[3]

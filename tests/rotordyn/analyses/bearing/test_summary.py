@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rotordyn.analyses.bearing.solve import answer
+from rotordyn.analyses.bearing.solve import solve
 from rotordyn.analyses.bearing.spec import BearingMapSpec
 from rotordyn.analyses.bearing.summary import cut_off, numbers, summary
 from rotordyn.analyses.bearing.tables import LAYOUTS
@@ -27,21 +27,21 @@ SHOULDERS = dict(inner_shoulder_diameter=114e-3, outer_shoulder_diameter=136e-3)
 def test_ellipse_past_the_inner_shoulder() -> None:
     """Rigid rings at rest: from 77 kN, 5.6 % at 100 kN."""
     bearing = replace(four_point(QJ218), **SHOULDERS)
-    found = answer(bearing, OUTER, np.zeros(1), BearingMapSpec((70e3, 80e3, 100e3)))
+    found = solve(bearing, OUTER, np.zeros(1), BearingMapSpec((70e3, 80e3, 100e3)))
     (sentence,) = cut_off(found)
     assert sentence == (
         "contact ellipse passes the shoulder of the inner ring, first under 80000 N at 0 rpm, up "
         "to 5.6 % of its length lost"
     )
     assert result_warnings({"bearing": found}) == [sentence]
-    unknown = answer(four_point(QJ218), OUTER, np.zeros(1), BearingMapSpec((100e3,)))
+    unknown = solve(four_point(QJ218), OUTER, np.zeros(1), BearingMapSpec((100e3,)))
     assert cut_off(unknown) == []
 
 
 def test_an_ellipse_wholly_past_its_shoulder() -> None:
     bearing = replace(four_point(QJ218), **SHOULDERS)
     spec, speed = BearingMapSpec((1e3,), static_growth=-300e-6), np.array([6000.0]) * RPM
-    found = answer(bearing, Conditions(), speed, spec)
+    found = solve(bearing, Conditions(), speed, spec)
     assert cut_off(found)[0].endswith("up to 100 % of its length lost")
 
 
@@ -49,7 +49,7 @@ def test_contacts_without_a_state_have_no_line() -> None:
     """200 N hold the balls of a QJ 218 up to some 4500 rpm."""
     speed = np.array([1000.0, 5000.0, 6000.0]) * RPM
     inner, spec = Conditions(kinematics="inner"), BearingMapSpec((200.0,))
-    found = answer(four_point(QJ218), inner, speed, spec)
+    found = solve(four_point(QJ218), inner, speed, spec)
     assert [word == "" for word in found.outcome[:, 0]] == [True, False, False]
     assert not any(line.startswith("contacts") for line in summary(found))
 
@@ -60,7 +60,7 @@ def test_heat_of_balls_with_a_third_contact_is_an_estimate(
 ) -> None:
     """Up to nine times too much (docs/theory/four_point.md)."""
     spec = BearingMapSpec((load,), lubricant=Lubrication(32e-6, 5.4e-6, 50.0))
-    found = answer(four_point(QJ218), OUTER, np.array([0.0, rpm]) * RPM, spec)
+    found = solve(four_point(QJ218), OUTER, np.array([0.0, rpm]) * RPM, spec)
     (line,) = (each for each in summary(found) if "heat" in each)
     assert ("where balls have more than two contacts, an estimate" in line) == said
     assert (found.contacts[1, 0].max() > 2) == said
@@ -69,10 +69,10 @@ def test_heat_of_balls_with_a_third_contact_is_an_estimate(
 def test_the_rating_of_a_pair_is_questioned() -> None:
     """A pair has 2^0.7 times the rating of one bearing (ISO 281)."""
     spec = BearingMapSpec((5e3,))
-    one = answer(four_point(QJ218), OUTER, np.array([100.0]), spec)
+    one = solve(four_point(QJ218), OUTER, np.array([100.0]), spec)
     assert one.dynamic_rating == one.groove_rating
     pair = replace(spec, dynamic_rating=2.0**0.7 * one.groove_rating)
-    found = answer(four_point(QJ218), OUTER, np.array([100.0]), pair)
+    found = solve(four_point(QJ218), OUTER, np.array([100.0]), pair)
     assert found.revolutions == pytest.approx(2.0**2.1 * one.revolutions)
     (sentence,) = result_warnings({"bearing": found})
     assert "is 1.62 times that of the grooves; give that of one bearing, of one row" in sentence
@@ -82,7 +82,7 @@ def test_the_rating_of_a_pair_is_questioned() -> None:
 def test_most_loaded_ball_in_words() -> None:
     """Case 3 of Lacroix (2014), rigid: 22.4° at 0°, a third contact."""
     spec = BearingMapSpec(radial_loads=(0.0, 12e3), axial_load=20e3)
-    found = answer(four_point(R24_14), OUTER, np.array([1500.0]) * RPM, spec)
+    found = solve(four_point(R24_14), OUTER, np.array([1500.0]) * RPM, spec)
     lines = summary(found)
     assert lines[0].endswith("tilts blocked, at 1500 rpm")
     assert "0 N radial: axial" in lines[1]
@@ -106,7 +106,7 @@ def test_two_contacts_need_no_words() -> None:
 )
 def test_tables(name: str, rows: int, column: str, value: str | None) -> None:
     spec = BearingMapSpec(moments=(0.0, 300.0), axial_load=20e3)
-    found = answer(four_point(R24_14), OUTER, np.zeros(1), spec)
+    found = solve(four_point(R24_14), OUTER, np.zeros(1), spec)
     (layout,) = (each for each in LAYOUTS if each.name == name)
     columns = dict(tidy_columns(found, layout))
     assert len(columns[column]) == rows
@@ -119,7 +119,7 @@ def test_tables(name: str, rows: int, column: str, value: str | None) -> None:
 def test_life_beyond_its_validity_is_told_as_of_a_spindle() -> None:
     """P above C/2 and S0 below 2, of VEX70 from some 15 kN on."""
     loads = (300.0, 12e3, 16e3, 20e3)
-    found = answer(VEX70, Conditions(), np.array([100.0, 200.0]), BearingMapSpec(loads))
+    found = solve(VEX70, Conditions(), np.array([100.0, 200.0]), BearingMapSpec(loads))
     assert (found.equivalent_load > 0.5 * found.dynamic_rating).any(axis=0).tolist() == [
         *(False, False, True, True)
     ]
@@ -132,7 +132,7 @@ def test_life_beyond_its_validity_is_told_as_of_a_spindle() -> None:
         "under 16000 N and more: equivalent load above half the dynamic rating from 955 rpm on: "
         "life is shorter than computed; lower the load"
     )
-    light = answer(VEX70, Conditions(), np.array([100.0]), BearingMapSpec(loads[:2]))
+    light = solve(VEX70, Conditions(), np.array([100.0]), BearingMapSpec(loads[:2]))
     assert not any("than computed" in word for word in result_warnings({"bearing": light}))
 
 
@@ -140,7 +140,7 @@ def test_what_has_a_state_up_to_a_lower_speed_says_so() -> None:
     """Between rigid rings it warms until there is no balance: the load as mounted is another one at
     work, and values are those up to the last speed with a state."""
     spec = BearingMapSpec((300.0,), heat_flow=FLOW, lubricant=OIL)
-    found = answer(VEX70, Conditions(), np.array([0.0, 8e3, 16e3, 24e3]) * RPM, spec)
+    found = solve(VEX70, Conditions(), np.array([0.0, 8e3, 16e3, 24e3]) * RPM, spec)
     lines = [line for line in summary(found) if "300 N" in line]
     stiffness, life, warm = lines
     assert "300 N as mounted, at 0 → 16000 rpm: axial" in stiffness
@@ -150,7 +150,7 @@ def test_what_has_a_state_up_to_a_lower_speed_says_so() -> None:
     (hot,) = (word for word in result_warnings({"bearing": found}) if "no balance" in word)
     assert "under 300 N as mounted: cool" in hot
     held = replace(spec, heat_flow=replace(FLOW, mounting="spring"))
-    soft = summary(answer(VEX70, Conditions(), np.array([0.0, 8e3]) * RPM, held))
+    soft = summary(solve(VEX70, Conditions(), np.array([0.0, 8e3]) * RPM, held))
     assert any("300 N: axial" in line for line in soft)
 
 
@@ -159,7 +159,7 @@ def test_an_oil_too_thick_for_the_formula_of_inlet_heating_is_told(films: bool) 
     """VG 460 at 40 °C: 13.2 (p/E′) L^0.42 is beyond 1 at 30 000 rpm, where the film was 0."""
     thick = replace(OIL, viscosity_40=460e-6, viscosity_100=30e-6, temperature=40.0)
     spec = BearingMapSpec((600.0,), lubricant=thick, films=films)
-    found = answer(VEX70, Conditions(), np.array([0.0, 2e4, 3e4]) * RPM, spec)
+    found = solve(VEX70, Conditions(), np.array([0.0, 2e4, 3e4]) * RPM, spec)
     assert (found.film[:, 0] > 0.0).tolist() == [False, True, False]
     (said,) = (words for words in result_warnings({"bearing": found}) if "films" in words)
     assert "films count as 0 from 30000 rpm on, where the formula of inlet heating ends" in said
@@ -169,7 +169,7 @@ def test_numbers_of_a_load_have_one_name_however_it_is_held() -> None:
     spec = BearingMapSpec((300.0,), heat_flow=FLOW, lubricant=OIL)
     soft = replace(spec, heat_flow=replace(FLOW, mounting="spring"))
     speed = np.array([0.0, 8e3]) * RPM
-    rigid, sprung = (answer(VEX70, Conditions(), speed, each) for each in (spec, soft))
+    rigid, sprung = (solve(VEX70, Conditions(), speed, each) for each in (spec, soft))
     assert any("as mounted" in line for line in summary(rigid))
     one, other = ({each.words for each in numbers(found, None)} for found in (rigid, sprung))  # type: ignore[arg-type]
     assert one == other

@@ -29,7 +29,7 @@ def diagram(
 ) -> Any:
     speed = np.asarray(rpm, float) * RPM
     found = Scene(spindle, Conditions(element_length=element), speed, highest)
-    return campbell.answer(found, CampbellSpec(highest, **options))
+    return campbell.solve(found, CampbellSpec(highest, **options))
 
 
 @cache
@@ -163,7 +163,7 @@ def test_planes_of_an_uneven_rotor_cross() -> None:
 
 def test_flagship_branches_are_smooth() -> None:
     """Second differences stay small against the slope where no stop closes."""
-    found = campbell.answer(scene(mfw2310(), range(0, 20001, 500)), CampbellSpec(4000.0))
+    found = campbell.solve(scene(mfw2310(), range(0, 20001, 500)), CampbellSpec(4000.0))
     assert np.isfinite(found.frequency).all()
     kink = np.abs(np.diff(found.frequency, 2, axis=0))
     assert kink.max() < 25.0
@@ -186,8 +186,8 @@ def test_isotropic_pairs_meet_at_rest_and_split_with_speed() -> None:
 
 def test_reversed_spin_changes_only_the_sense_of_whirl() -> None:
     found = scene(mfw2310(), (-12000, 0), bearings="static")
-    ours = campbell.answer(found, CampbellSpec(4000.0))
-    plain = campbell.answer(scene(mfw2310(), (0, 12000), bearings="static"), CampbellSpec(4000.0))
+    ours = campbell.solve(found, CampbellSpec(4000.0))
+    plain = campbell.solve(scene(mfw2310(), (0, 12000), bearings="static"), CampbellSpec(4000.0))
     a = ours.frequency[0, ours.mode.index("bending 1 backward")]
     b = plain.frequency[1, plain.mode.index("bending 1 forward")]
     assert a == pytest.approx(b, rel=1e-9)
@@ -230,7 +230,7 @@ def test_circular_shapes_are_real_in_y() -> None:
 
 
 def test_shapes_at_the_first_and_last_speed() -> None:
-    found = campbell.answer(scene(mfw2310(), (0, 12000, 24000)), CampbellSpec(4000.0))
+    found = campbell.solve(scene(mfw2310(), (0, 12000, 24000)), CampbellSpec(4000.0))
     assert found.shape_speed == pytest.approx(np.array([0, 24000]) * RPM)
     assert found.shape.shape == (2, len(found.mode), len(found.node), 6)
     for k, kind in enumerate(found.kind):
@@ -243,7 +243,7 @@ def test_shapes_at_the_first_and_last_speed() -> None:
 
 def test_circular_whirl_has_its_sense() -> None:
     """Forward: z lags y by a quarter (z = −i y); tilt follows the slope of the deflection."""
-    found = campbell.answer(scene(undamped(mfw2310()), (24000,)), CampbellSpec(3000.0))
+    found = campbell.solve(scene(undamped(mfw2310()), (24000,)), CampbellSpec(3000.0))
     for k, name in enumerate(found.mode):
         if not name.startswith("bending"):
             continue
@@ -262,18 +262,18 @@ def test_modes_are_named_from_below() -> None:
 
 
 def test_nothing_above_the_highest_frequency_all_the_time() -> None:
-    found = campbell.answer(scene(mfw2310(), (0, 24000)), CampbellSpec(2000.0))
+    found = campbell.solve(scene(mfw2310(), (0, 24000)), CampbellSpec(2000.0))
     assert (found.frequency.min(axis=0) <= 2000.0).all()
 
 
 def test_no_mode_below_the_highest_frequency_is_an_empty_diagram() -> None:
-    found = campbell.answer(scene(mfw2310(), (0, 24000)), CampbellSpec(100.0))
+    found = campbell.solve(scene(mfw2310(), (0, 24000)), CampbellSpec(100.0))
     assert found.mode == ()
     assert found.frequency.shape == (2, 0)
 
 
 def test_rigid_rotor_has_two_pairs() -> None:
-    found = campbell.answer(scene(mfw2310(), (0, 24000), rotor="rigid"), CampbellSpec(4000.0))
+    found = campbell.solve(scene(mfw2310(), (0, 24000), rotor="rigid"), CampbellSpec(4000.0))
     bending = [n for n in found.mode if n.startswith("bending")]
     assert len(bending) == 4
     assert not any(n.startswith("torsion") for n in found.mode)

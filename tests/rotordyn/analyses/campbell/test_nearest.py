@@ -28,7 +28,7 @@ SHORT = 0.95  # of a critical speed: up to there a machine turns without one
 
 def diagram(spindle: Spindle, rpm: float, highest: float = 1500.0, order: float = 1.0) -> Any:
     found = Scene(spindle, Conditions(), np.array([0.0, rpm]) * RPM, highest)
-    return campbell.answer(found, CampbellSpec(highest, engine_orders=(order,)))
+    return campbell.solve(found, CampbellSpec(highest, engine_orders=(order,)))
 
 
 def said(result: Any, line: str) -> str:

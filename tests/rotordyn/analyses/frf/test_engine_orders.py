@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from rotordyn.analyses.frf.figures.orders import orders_figure
-from rotordyn.analyses.frf.solve import answer
+from rotordyn.analyses.frf.solve import solve
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.frf.summary import summary
-from rotordyn.analyses.unbalance.solve import answer as unbalanced
+from rotordyn.analyses.unbalance.solve import solve as unbalanced
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.errors import InvalidInput
 from rotordyn.scene.conditions import Conditions
@@ -33,10 +33,10 @@ def scene(kind: str, **conditions: object) -> Scene:
 
 @pytest.mark.parametrize("kind", ["isotropic", "uneven", "lossy"])
 def test_values_are_those_of_the_grid(kind: str) -> None:
-    found = answer(scene(kind), FrfSpec((), ASKED, engine_orders=(1.0, 2.5)))
+    found = solve(scene(kind), FrfSpec((), ASKED, engine_orders=(1.0, 2.5)))
     hertz = SPEEDS[:, None] * np.array([1.0, 2.5]) / (2.0 * math.pi)
     np.testing.assert_allclose(found.line_frequency, hertz, rtol=1e-14)
-    grid = answer(scene(kind), FrfSpec(tuple(np.unique(hertz)), ASKED))
+    grid = solve(scene(kind), FrfSpec(tuple(np.unique(hertz)), ASKED))
     for row in range(len(SPEEDS)):
         for line in range(2):
             at = np.searchsorted(grid.frequency, hertz[row, line] * (1.0 - 1e-12))
@@ -51,7 +51,7 @@ def test_unbalance_is_the_first_order(kind: str) -> None:
     size = 1e-5
     spec = UnbalanceSpec(("p0",), (Unbalance("p0", size),))
     moved = unbalanced(scene(kind), spec).displacement[:, 0, 0]
-    found = answer(scene(kind), FrfSpec((), ASKED, engine_orders=(1.0,))).line_value[:, 0]
+    found = solve(scene(kind), FrfSpec((), ASKED, engine_orders=(1.0,))).line_value[:, 0]
     forward = size * SPEEDS**2 * (found[:, 0] - 1j * found[:, 2])
     np.testing.assert_allclose(forward, moved, rtol=1e-10)
 
@@ -61,7 +61,7 @@ def test_unbalance_is_the_first_order(kind: str) -> None:
 def test_peaks_are_those_of_many_speeds(count: int) -> None:
     spindle = machine("uneven")
     few, many = (
-        answer(
+        solve(
             Scene(
                 spindle,
                 Conditions(accuracy=1e-3),
@@ -92,7 +92,7 @@ def test_no_speed_is_sampled_twice() -> None:
     speeds = np.linspace(0.0, 30000.0, 14) * RPM  # evenly spread samples meet them but for rounding
     spindle = machine("uneven")
     own = Scene(spindle, Conditions(accuracy=1e-3), speeds, 1500.0, tuple(spindle.points.values()))
-    found = answer(own, FrfSpec((), ASKED, engine_orders=(1.0, 2.0)))
+    found = solve(own, FrfSpec((), ASKED, engine_orders=(1.0, 2.0)))
     steps = np.diff(found.line_speed, axis=1)
     assert np.nanmin(steps) > 1e-8 * speeds[-1]
     assert set(speeds) <= set(found.line_speed[0])
@@ -100,11 +100,11 @@ def test_no_speed_is_sampled_twice() -> None:
 
 def test_a_further_rotor_has_lines_of_its_own() -> None:
     one = Scene(COAXIAL, Conditions(accuracy=1e-3), 0.02 * SPEEDS, 60.0, (0.076,))
-    found = answer(one, FrfSpec((), pairs("d1.y/d1.y"), engine_orders=(1.0, 2.0)))
+    found = solve(one, FrfSpec((), pairs("d1.y/d1.y"), engine_orders=(1.0, 2.0)))
     assert found.line == ("1×", "2×", "1× outer", "2× outer")
     np.testing.assert_allclose(found.line_frequency[:, 2], 0.03 * SPEEDS / (2.0 * math.pi))
 
 
 def test_the_turning_frame_has_no_engine_orders() -> None:
     with pytest.raises(InvalidInput, match="engine_orders: a multiple of the speed"):
-        answer(scene("isotropic", formulation="rotating"), FrfSpec((), ASKED, engine_orders=(1.0,)))
+        solve(scene("isotropic", formulation="rotating"), FrfSpec((), ASKED, engine_orders=(1.0,)))

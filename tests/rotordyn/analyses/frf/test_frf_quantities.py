@@ -12,7 +12,7 @@ import rotordyn
 from bearings import Material
 from rotordyn.analyses import Conditions, FrfSpec
 from rotordyn.analyses.frf.result import FrequencyResponse
-from rotordyn.analyses.solving import answer_spindle
+from rotordyn.analyses.solving import solve_spindle
 from rotordyn.errors import InvalidInput
 from rotordyn.machine import LinearSupport, PointMass, Section, Shaft, Spindle
 from rotordyn.machine.inertia import rotor_inertia
@@ -38,7 +38,7 @@ def body() -> Spindle:
 def solved(quantity: str, conditions: Conditions | None = None) -> FrequencyResponse:
     spec = FrfSpec(tuple(np.linspace(5.0, 200.0, 40)), pairs("disc.y/disc.y"), quantity=quantity)
     own = conditions or Conditions(rotor="rigid")
-    result = answer_spindle(body(), own, (0.0,), {"frf": spec}, lambda name: None).results["frf"]
+    result = solve_spindle(body(), own, (0.0,), {"frf": spec}, lambda name: None).results["frf"]
     assert isinstance(result, FrequencyResponse)
     return result
 

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rotordyn.analyses.frf.result import FrequencyResponse
-from rotordyn.analyses.frf.solve import answer
+from rotordyn.analyses.frf.solve import solve
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.frf.summary import summary, warnings
 from rotordyn.analyses.frf.uff import write_uff
@@ -42,7 +42,7 @@ def solved(spindle: Spindle, speeds: list[float], spec: FrfSpec, rotor: str) -> 
     scene = Scene(
         spindle, Conditions(accuracy=1e-3, rotor=rotor), np.array(speeds) * RPM, 1500.0, stations
     )
-    return answer(scene, spec)
+    return solve(scene, spec)
 
 
 @pytest.mark.parametrize(

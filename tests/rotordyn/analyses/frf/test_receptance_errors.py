@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rotordyn.analyses.frf.solve import answer
+from rotordyn.analyses.frf.solve import solve
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.measured_response import Port
 from rotordyn.machine.housing import RigidHousing
@@ -65,7 +65,7 @@ def test_together_as_alone(kind: str, asked: str) -> None:
         scene = Scene(
             spindle, Conditions(accuracy=1e-3), np.array([9000.0 * RPM]), 1500.0, stations
         )
-        return answer(scene, FrfSpec(FREQUENCIES, pairs)).error
+        return solve(scene, FrfSpec(FREQUENCIES, pairs)).error
 
     together = error(*every)
     assert (together > 1e-9).all()

@@ -21,7 +21,7 @@ class NoseSag:
     rotor_mass: float = quantity(unit="kg", label="mass of the rotor")
 
 
-def answer(scene, spec):
+def solve(scene, spec):
     """The result."""
     mass = rotor_inertia(scene.spindle.part("spindle")).mass
     return NoseSag(scene.speed, scene.outcome, np.full(len(scene.speed), 9.81 * mass), mass)
