@@ -17,6 +17,9 @@ from rotordyn.arrays import Array, Indices
 GROWTH = 1.5  # of the distance from a pole, from one sample to the next
 NARROW = 1e-4  # of the frequency: least distance of samples about an undamped pole
 CLOSER = 1e-3  # of an amplitude: a vertex that exceeds it by more is sampled
+PLACED = 1e-5  # of its place: a vertex farther from its highest sample is sampled
+SAME = 1e-9  # of a place: closer samples are one
+DIP = 1e-6  # of an amplitude: maxima with a shallower dip between them are one
 ENDLESS = 1e3  # times the sample next to it: no damping limits a higher peak
 BENT = 0.2  # of a logarithm: a sample farther off a straight line is not on it
 SEEN = 1e-4  # of the largest amplitude of a curve: its curvature where it is less is ignored
@@ -69,10 +72,19 @@ def spread_between(
 
 
 def tops(amplitude: Array) -> Indices:
-    """Return the indices of local maxima of a curve (n,) without its ends."""
-    with np.errstate(invalid="ignore"):
-        inner = amplitude[1:-1]
-        return 1 + np.flatnonzero((inner > amplitude[:-2]) & (inner >= amplitude[2:]))
+    """Return the indices of local maxima of a curve (n,), the highest of those without a ``DIP``
+    between them; without its ends, and the ends beside gaps of NaN."""
+    before, after = np.append(np.nan, amplitude[:-1]), np.append(amplitude[1:], np.nan)
+    kept: list[int] = []
+    # an end counts at first, so that rounding on the way up to it makes no peak
+    for place in np.flatnonzero(~(amplitude <= before) & ~(amplitude < after)).tolist():
+        lower = min(amplitude[kept[-1]], amplitude[place]) if kept else np.inf
+        if kept and amplitude[kept[-1] : place].min() > (1.0 - DIP) * lower:
+            kept[-1] = max(kept[-1], place, key=lambda k: float(amplitude[k]))
+        else:
+            kept.append(place)
+    inner = (amplitude > before) & (amplitude >= after)
+    return np.array([place for place in kept if inner[place]], dtype=int)
 
 
 def sampled(
@@ -83,14 +95,14 @@ def sampled(
     """Return samples ``x`` (n,) and what ``solve`` gives for them (n, …), with more at every peak
     and wherever curves bend.
 
-    ``amplitude`` of that (n, curves): the vertex of each of their peaks is sampled until it is no
-    higher than the highest sample, and intervals are halved until their logarithms are nearly
-    straight from sample to sample.
+    ``amplitude`` of that (n, curves): the vertex of each of their peaks is sampled until it is the
+    highest sample, and intervals are halved until their logarithms are nearly straight from sample
+    to sample.
     """
     values = list(solve(x))
     for _ in range(ROUNDS):
         curves = amplitude(values)
-        further = np.setdiff1d(np.concatenate([_higher(x, curves), _bent(x, curves)]), x)
+        further = _new(np.concatenate([_vertices(x, curves), _bent(x, curves)]), x)
         if not further.size:
             break
         new_values = solve(further)
@@ -113,14 +125,22 @@ def _bent(x: Array, amplitude: Array) -> Array:
     return np.unique(0.5 * np.concatenate([x[at] + x[at - 1], x[at] + x[at + 1]]))
 
 
-def _higher(x: Array, amplitude: Array) -> Array:
-    """Return vertices that are higher than their highest sample."""
+def _vertices(x: Array, amplitude: Array) -> Array:
+    """Return vertices that are higher than their highest sample, or beside it."""
     parts = [np.zeros(0)]
     for curve in amplitude.T:
         top = tops(curve)
         three = top[:, None] + np.arange(-1, 2)
         at, height = vertex(x[three], curve[three])
-        distinct = np.abs(at - x[top]) > 1e-12 * np.abs(at)
-        higher = (height > (1.0 + CLOSER) * curve[top]) & (height < ENDLESS * curve[top])
-        parts.append(at[distinct & higher])
-    return np.unique(np.concatenate(parts))
+        higher = height > (1.0 + CLOSER) * curve[top]
+        beside = np.abs(at - x[top]) > PLACED * np.abs(at)
+        parts.append(at[(higher | beside) & (height < ENDLESS * curve[top])])
+    return np.concatenate(parts)
+
+
+def _new(wanted: Array, x: Array) -> Array:
+    """Return those ``wanted`` places that differ from one another and from samples ``x`` (n,)."""
+    wanted = np.unique(wanted)
+    apart = np.diff(wanted, prepend=-np.inf) > SAME * np.abs(wanted)
+    known = np.abs(wanted[:, None] - x).min(axis=1) <= SAME * np.abs(wanted)
+    return np.asarray(wanted[apart & ~known])

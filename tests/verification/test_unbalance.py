@@ -523,6 +523,20 @@ def test_no_peak_between_the_speeds_of_the_case_is_missed(damped: float, count: 
     assert f"{largest * 1e6:.3g}"[:3] in text
 
 
+@pytest.mark.parametrize("half", [0.02, 0.1, 0.2])
+def test_a_round_orbit_has_one_peak_at_its_place(half: float) -> None:
+    """|y| and |z| of the major half axis have the same peak, at Ω² = ω² / (1 − 2 ζ²), however flat
+    it is."""
+    mass = rotor_inertia(on_two(block(K, K), block(0.0, 0.0))).mass
+    critical, damper = math.sqrt(K / mass), 2.0 * half * math.sqrt(K * mass)
+    spindle = on_two(block(K, K), block(damper, damper))
+    for count in (2, 5, 400):
+        speeds = (np.linspace(0.21, 2.3, count) * critical).tolist()
+        result = solved(spindle, speeds, Unbalance("disc", U), conditions=RIGID)
+        top = critical / math.sqrt(1.0 - 2.0 * half**2)
+        assert result.peak_speed[0] == pytest.approx([top], rel=1e-4)
+
+
 def test_rest_is_no_steady_response() -> None:
     """Without damping, at rest and at the critical speed: nothing acts at rest."""
     spindle = on_two(block(K, K), block(0.0, 0.0))

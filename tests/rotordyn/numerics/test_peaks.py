@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 
 from rotordyn.arrays import Array
-from rotordyn.numerics.peaks import GROWTH, NARROW, sampled, spread, vertex
+from rotordyn.numerics.peaks import GROWTH, NARROW, sampled, spread, tops, vertex
 
 
 @pytest.mark.parametrize("scale", [1e-9, 1.0, 1e6])
@@ -78,3 +80,40 @@ def test_straight_lines_of_uneven_samples_and_rounding_are_not_sampled_closer() 
 
     assert both(1e-10 * noise).tolist() == x.tolist()
     assert len(both(noise)) > len(x)
+
+
+@pytest.mark.parametrize("start", [[0.5, 0.985, 1.6], [0.5, 0.8, 1.0, 1.2, 1.6]])
+def test_the_highest_sample_of_a_flat_peak_stands_at_the_peak(start: list[float]) -> None:
+    """A damping ratio of 0.1 moves the peak of x²/|1 − x² + 2iζx| to 1/√(1 − 2ζ²); a sample 1 %
+    beside it is hardly lower."""
+
+    def solve(x: Array) -> list[Array]:
+        return [(x * x / np.abs(1.0 - x * x + 0.2j * x))[:, None]]
+
+    x, (values,) = sampled(np.array(start), solve, lambda arrays: arrays[0])
+    assert x[values[:, 0].argmax()] == pytest.approx(1.0 / math.sqrt(0.98), rel=1e-4)
+
+
+def test_equal_curves_that_differ_by_rounding_have_one_peak() -> None:
+    """As |y| and |z| of round orbits: their vertices are one sample, and between two samples a dip
+    by rounding makes no second peak."""
+
+    def solve(x: Array) -> list[Array]:
+        curve = 1.0 / np.hypot(x - 1.0, 0.01)
+        return [np.column_stack([curve, curve * (1.0 + 1e-15 * np.sin(1e3 * x))])]
+
+    x, (values,) = sampled(np.linspace(0.6, 1.5, 12), solve, lambda arrays: arrays[0])
+    assert np.diff(x).min() > 1e-9
+    for curve in values.T:
+        assert tops(curve).size == 1
+    twins = np.array([1.0, 2.0, 2.0 * (1.0 - 1e-14), 2.0, 1.0])
+    assert tops(twins).size == 1
+    assert tops(np.array([1.0, 2.0, 1.99, 2.0, 1.0])).tolist() == [1, 3]
+
+
+def test_a_gap_parts_peaks_and_no_end_is_one() -> None:
+    curve = np.array([5.0, 1.0, 2.0, 1.0, np.nan, 0.0, 3.0, 2.0, 4.0])
+    assert tops(curve).tolist() == [2, 6]
+    rising = np.array([5.0, 1.0, 3.0, 3.0 * (1.0 - 1e-14), 4.0])
+    assert not tops(rising).size
+    assert not tops(rising[::-1]).size
