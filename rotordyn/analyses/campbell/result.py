@@ -31,8 +31,9 @@ class CampbellResult:
     ``pole``: λ of e^(λt) with Im λ ≥ 0. ``overdamped``: its damping ratio is above ``OVERDAMPED``,
     so that the motion hardly oscillates. ``unconverged``: what still changes by more than the
     accuracy asked for as the model is refined, a sentence, or "". ``stability_threshold``: lowest
-    speed of the range at which a mode begins to grow, infinite where none does; ``first_to_grow``:
-    that mode, "a divergence" of a motion that does not vibrate, or "". ``rotor``: the spindle's
+    speed of the range at which a mode begins to grow, infinite where none does;
+    ``threshold_is_bound``: the mode grows at the lowest speed at which it is solved already, so
+    that its threshold is there or below; ``first_to_grow``: that mode, "a divergence" of a motion that does not vibrate, or "". ``rotor``: the spindle's
     shaft and further rotors, at ``speed_ratio`` times its speed; ``node_rotor``: the rotor of each
     node; whirl is forward in the direction in which the spindle turns. ``engine_order``: those
     whose critical speeds were sought; ``critical``: the mode that turns at ``critical_order`` times
@@ -133,6 +134,7 @@ class CampbellResult:
         label="speed from which a mode grows",
         infinite=(Absence("where no mode grows", beside="first_to_grow"),),
     )
+    threshold_is_bound: bool = quantity(unit="", label="the threshold may be lower")
     first_to_grow: str = quantity(unit="", label="mode that grows from there")
     critical_speed: Array = quantity("critical", unit="rad/s", label="critical speed")
     critical_rotor: Words = quantity("critical", unit="", label="rotor that excites")

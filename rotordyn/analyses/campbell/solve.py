@@ -48,7 +48,7 @@ def solve(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     scene, (branches, names), errors = mode_errors(scene, band, modes)
     ends = sorted({0, len(scene.usable) - 1}) if spec.shapes else []
     criticals = critical_speeds(scene, band, branches, names)
-    threshold, growing = stability_threshold(scene, band, branches, names)
+    threshold = stability_threshold(scene, band, branches, names)
     shape = (len(scene.usable), len(branches))
     pole = np.array([b.pole for b in branches], dtype=complex).reshape(shape[::-1]).T
     degree = _table([b.degree for b in branches], shape)
@@ -96,8 +96,9 @@ def solve(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         character=characters(linears, branches, rigid),
         excited_by=tuple(_excited_by(scene, b) for b in branches),
         shape=_shapes(scene, branches, ends),
-        stability_threshold=threshold,
-        first_to_grow=growing,
+        stability_threshold=threshold.speed,
+        threshold_is_bound=threshold.is_bound,
+        first_to_grow=threshold.name,
         critical_speed=np.array([c.speed for c in criticals]),
         critical_rotor=tuple(c.line.rotor for c in criticals),
         critical_order=np.array([c.line.order for c in criticals]),

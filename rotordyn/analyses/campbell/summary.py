@@ -158,7 +158,9 @@ def numbers(result: CampbellResult, _: Described) -> Iterator[Number]:
             yield Number(f"critical {line_name} {kind} ({count[kind]})", "rpm", rpm, digits=0)
     if math.isfinite(result.stability_threshold):
         rpm = float(result.stability_threshold * RPM.factor)
-        yield Number(UNSTABLE, "rpm", rpm, digits=0)
+        bound = f"≤ {number(rpm, 0)}"
+        value = math.nan if result.threshold_is_bound else rpm
+        yield Number(UNSTABLE, "rpm", value, digits=0, absent=bound)
 
 
 def _critical_kind(result: CampbellResult, line: Line, critical: int) -> str:
@@ -275,10 +277,13 @@ def _omitted_modes(result: CampbellResult) -> list[str]:
 def _unstable_modes(result: CampbellResult) -> list[str]:
     sentences = []
     if 0.0 < result.stability_threshold < result.speed[-1]:
+        rpm = f"{result.stability_threshold * RPM.factor:.0f} rpm"
         onward = " on" if _stays_unstable(result) else ""
         sentences.append(
-            f"{result.first_to_grow} grows by itself from "
-            f"{result.stability_threshold * RPM.factor:.0f} rpm{onward}"
+            f"{result.first_to_grow} grows by itself at {rpm} already, the lowest speed at which "
+            "it is solved: add lower speeds to find its threshold"
+            if result.threshold_is_bound
+            else f"{result.first_to_grow} grows by itself from {rpm}{onward}"
         )
     for name, ratio, growing in zip(
         result.mode, result.damping_ratio.T, result.unstable.T, strict=True

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -27,26 +28,32 @@ ROUNDING = 1e-12  # of |pole|: smaller growth counts as zero
 HIGHER = 1.01  # highest frequency followed between two speeds, over that of the mode at them
 
 
+class Threshold(NamedTuple):
+    """``speed`` [rad/s] from which a motion grows, infinite without one; ``is_bound`` where it
+    grows at the lowest speed known already, which only bounds the threshold; ``name`` of the mode,
+    ``DIVERGENCE``, or ""."""
+
+    speed: float
+    is_bound: bool = False
+    name: str = ""
+
+
 def stability_threshold(
     scene: Scene, band: Band, branches: Sequence[Branch], names: Sequence[str]
-) -> tuple[float, str]:
-    """Return the lowest speed [rad/s] of the case's range at which a followed mode begins to grow,
-    and its name, or ``DIVERGENCE``.
+) -> Threshold:
+    """Return the lowest speed of the case's range at which a followed mode begins to grow."""
 
-    Infinite and "" where none grows; the first speed of the range where one grows from there.
-    """
-
-    def onset(subsystem: int, speed: Array, growing: Flags, valid: Flags) -> float:
+    def onset(subsystem: int, speed: Array, growing: Flags, valid: Flags) -> tuple[float, bool]:
         row = int(growing.argmax())
         if row and valid[row - 1]:
             low, high = float(speed[row - 1]), float(speed[row])
             return _onset(scene, subsystem, followed(subsystem, high), low, high)
-        return float(speed[row])
+        return float(speed[row]), bool(speed[row] > 0.0)
 
     def followed(subsystem: int, speed: float) -> float:
         return _highest(band, [each for each in branches if each.subsystem == subsystem], speed)
 
-    onsets: list[tuple[float, str, int]] = []
+    onsets: list[tuple[float, bool, str, int]] = []
     subsystems = {branch.subsystem for branch in branches}
     largest = {k: float(scene.system(k).modes.largest.max()) for k in subsystems}
     for branch, name in zip(branches, names, strict=True):
@@ -54,17 +61,19 @@ def stability_threshold(
         growing = grows(track.pole, largest[branch.subsystem])
         if growing.any():
             begin = onset(branch.subsystem, track.speed, growing, ~track.lost)
-            onsets.append((begin, name, branch.subsystem))
+            onsets.append((*begin, name, branch.subsystem))
     for subsystem in scene.with_motions(MOTIONS):
         diverging = np.asarray(_diverging(scene.system(subsystem)).any(axis=1))
         if diverging.any():
             speed, known = scene.speed[scene.usable], np.ones_like(diverging)
-            onsets.append((onset(subsystem, speed, diverging, known), DIVERGENCE, subsystem))
+            begin = onset(subsystem, speed, diverging, known)
+            onsets.append((*begin, DIVERGENCE, subsystem))
     if not onsets:
-        return math.inf, ""
-    first, name, subsystem = min(onsets)
+        return Threshold(math.inf)
+    first, is_bound, name, subsystem = min(onsets)
     members = [(b, n) for b, n in zip(branches, names, strict=True) if b.subsystem == subsystem]
-    return first, _unstable(scene, subsystem, followed(subsystem, first), first, members) or name
+    fastest = _unstable(scene, subsystem, followed(subsystem, first), first, members)
+    return Threshold(first, is_bound, fastest or name)
 
 
 def _highest(band: Band, branches: Iterable[Branch], speed: float) -> float:
@@ -106,10 +115,13 @@ def _diverging(motions: FreeMotions) -> Flags:
     return np.asarray(motions.growing & ~swings(motions.pole))
 
 
-def _onset(scene: Scene, subsystem: int, highest: float, low: float, high: float) -> float:
+def _onset(
+    scene: Scene, subsystem: int, highest: float, low: float, high: float
+) -> tuple[float, bool]:
     """Return the speed between two at which the largest growth becomes positive, by Brent's method,
     which locates jumps too: with loss factors growth changes its sign abruptly. Where there is no
-    equilibrium in between, return the lowest speed at which growth is positive."""
+    equilibrium in between, return the lowest speed at which growth is positive, and that it is a
+    bound."""
     from scipy.optimize import brentq
 
     growing = [high]
@@ -125,10 +137,10 @@ def _onset(scene: Scene, subsystem: int, highest: float, low: float, high: float
     try:
         values = growth(low), growth(high)
         if not values[0] < 0.0 < values[1]:
-            return low if values[0] >= 0.0 else high
-        return float(brentq(growth, low, high, xtol=CLOSE * high, rtol=CLOSE))
+            return low if values[0] >= 0.0 else high, False
+        return float(brentq(growth, low, high, xtol=CLOSE * high, rtol=CLOSE)), False
     except NoSolution:
-        return min(growing)
+        return min(growing), True
 
 
 def _growth(scene: Scene, subsystem: int, highest: float, speed: float) -> float:

@@ -278,6 +278,7 @@ def campbell(count: int = 49) -> CampbellResult:
         shape=shape,
         critical_speed=np.array([0.85 * TOP]),
         stability_threshold=math.inf,
+        threshold_is_bound=False,
         first_to_grow="",
         critical_order=np.ones(1),
         critical_kind=("axial",),

@@ -36,7 +36,8 @@ ROOM = 1.3  # times the largest damping of unstable modes: more is not drawn
 
 
 def damping_figure(result: CampbellResult) -> Figure:
-    """Draw a line per mode, dashed for backward whirl, and the stability threshold."""
+    """Draw a line per mode, dashed for backward whirl, and the stability threshold where it is more
+    than a bound."""
     figure = new_figure(168.0, 90.0)
     axes = add_axes(figure, (15.0, 11.0, 147.0, 66.0))
     _draw(axes, result, limits([result]), 8)
@@ -70,11 +71,11 @@ def _draw(axes: Axes, result: CampbellResult, between: tuple[float, float], most
         look: dict[str, Any] = {"color": CYCLE[style % len(CYCLE)], "lw": 1.2, **marked(style)}
         back = np.nanmean(whirl) < 0.0
         x, curve = _at_jumps(rpm, ratio * 100.0, np.ptp(axes.get_ylim()))
-        if name == result.first_to_grow:
+        if name == result.first_to_grow and not result.threshold_is_bound:
             x, curve = _through_zero(x, curve, result.stability_threshold * RPM.factor)
         axes.plot(x, curve, ls=BACKWARD if back else "-", label=name, **look)
     threshold = result.stability_threshold * RPM.factor
-    if math.isfinite(threshold):
+    if math.isfinite(threshold) and not result.threshold_is_bound:
         axes.axvline(threshold, color=GREY, lw=0.9, ls=":", label="stability threshold")
         right = threshold > 0.6 * rpm[-1]
         axes.annotate(

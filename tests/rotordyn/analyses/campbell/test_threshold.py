@@ -101,6 +101,21 @@ def test_the_mode_whose_pole_grows_is_that_of_its_frequency(
     assert threshold._unstable(scene, 0, 600.0, 150.0, [one, other]) == name
 
 
+def test_growth_above_speeds_without_equilibrium_bounds_the_threshold(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """What is between the last speed of no growth and the lowest one of growth is not known."""
+
+    def growth(scene: Any, subsystem: int, highest: float, speed: float) -> float:
+        return -1.0 if speed == 0.0 else 1.0 if speed > 60.0 else np.nan
+
+    monkeypatch.setattr(threshold, "_growth", growth)
+    scene: Any = None
+    at, is_bound = threshold._onset(scene, 0, 600.0, 0.0, 100.0)
+    assert is_bound
+    assert 60.0 < at <= 100.0
+
+
 def test_it_is_a_headline_number() -> None:
     found, calm = whipping(0.0, 40000.0, 80000.0), whipping(0.0, 20000.0)
     values = {n.words: n.value for n in summary.numbers(found, case())}
@@ -142,6 +157,23 @@ def test_figures_show_the_mode_grow_from_the_threshold_on() -> None:
     damping = damping_figure(found).axes[0]
     (line,) = (each for each in damping.get_lines() if each.get_label() == found.first_to_grow)
     assert np.interp(at, line.get_xdata(), line.get_ydata()) == pytest.approx(0.0, abs=1e-9)
+
+
+def test_growth_from_the_lowest_speed_on_bounds_the_threshold() -> None:
+    """It is 43792 rpm, below the range."""
+    found = whipping(50000.0, 60000.0)
+    assert found.threshold_is_bound
+    assert found.stability_threshold == pytest.approx(50000.0 * RPM)
+    (sentence,) = (w for w in summary.warnings(found) if "grows by itself" in w)
+    assert "grows by itself at 50000 rpm already, the lowest speed" in sentence
+    (headline,) = (n for n in summary.numbers(found, case()) if n.words == summary.UNSTABLE)
+    assert np.isnan(headline.value)
+    assert headline.absent == "≤ 50000"
+    labels = [line.get_label() for line in damping_figure(found).axes[0].get_lines()]
+    assert "stability threshold" not in labels
+    wider = whipping(0.0, 50000.0, 60000.0)
+    assert not wider.threshold_is_bound
+    assert wider.stability_threshold < 44000.0 * RPM
 
 
 def test_a_mode_that_is_not_there_has_no_line() -> None:
