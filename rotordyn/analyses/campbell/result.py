@@ -33,18 +33,18 @@ class CampbellResult:
     accuracy asked for as the model is refined, a sentence, or "". ``stability_threshold``: lowest
     speed of the range at which a mode begins to grow, infinite where none does;
     ``threshold_is_bound``: the mode grows at the lowest speed at which it is solved already, so
-    that its threshold is there or below; ``first_to_grow``: that mode, "a divergence" of a motion that does not vibrate, or "". ``rotor``: the spindle's
-    shaft and further rotors, at ``speed_ratio`` times its speed; ``node_rotor``: the rotor of each
-    node; whirl is forward in the direction in which the spindle turns. ``engine_order``: those
-    whose critical speeds were sought; ``critical``: the mode that turns at ``critical_order`` times
-    the speed of ``critical_rotor`` where the spindle has ``critical_speed``, with its kind and
-    damping ratio there; all are listed where it turns at ``max_frequency`` at most;
-    ``critical_whirl``: forward, backward, planar, or mixed where parts of the shaft whirl either
-    way; ``critical_excited``: false where a force that turns with the shaft does no work on it
-    (order 1; axial, torsion, backward whirl of an isotropic rotor); a force of another order may
-    point anywhere. ``excited_by``: direction of the rotating unbalance that excites a mode,
-    forward, backward or either; "" of axial motion and torsion. ``passing``: defects of bearings,
-    of identical bearings once.
+    that its threshold is there or below; ``first_to_grow``: that mode, "a divergence" of a motion
+    that does not vibrate, or "". ``rotor``: the spindle's shaft and further rotors, at
+    ``speed_ratio`` times its speed; ``node_rotor``: the rotor of each node; whirl is forward in the
+    direction in which the spindle turns. ``engine_order``: those whose critical speeds were sought;
+    ``critical``: the mode that turns at ``critical_order`` times the speed of ``critical_rotor``
+    where the spindle has ``critical_speed``, with its kind and damping ratio there; all are listed
+    where it turns at ``max_frequency`` at most; ``critical_whirl``: forward, backward, planar, or
+    mixed where parts of the shaft whirl either way; ``critical_excited``: false where a force that
+    turns with the shaft does no work on it (order 1; axial, torsion, backward whirl of an isotropic
+    rotor); a force of another order may point anywhere. ``excited_by``: direction of the rotating
+    unbalance that excites a mode, forward, backward or either; "" of axial motion and torsion.
+    ``passing``: defects of bearings, of identical bearings once.
     """
 
     turning_frame: ClassVar[bool] = False

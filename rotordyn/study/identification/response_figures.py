@@ -69,7 +69,7 @@ def _response(axes: Axes, result: Identification, place: int, k: int) -> None:
     response, data = measurement.responses[k], measurement.data
     parts = _parts(measurement, k)
     residual, predicted = best.residuals[place], best.fit.predicted[place]
-    frequency = np.array(response.frequency)
+    frequency = np.array(response.frequency)[measurement.compared(response)]
     lines = (
         (predicted + residual, ".", GREY, "measured", 1.0),
         (predicted, "-", BLUE, "the machine", 1.0),
@@ -84,7 +84,7 @@ def _response(axes: Axes, result: Identification, place: int, k: int) -> None:
     axes.plot(frequency, noise, "--", lw=0.8, color=ORANGE, label="noise stated")
     axes.set_ylim(max(axes.get_ylim()[0], DEEP * high), 2.0 * high)
     log_axis(axes)
-    axes.set_xlim(frequency[0], frequency[-1])
+    axes.set_xlim(response.frequency[0], response.frequency[-1])
     words = f"{response.pair}, {response.speed * RPM.factor:.0f} rpm"
     axes.set_title(shortened(words, 44), fontsize=FONT_SIZE)
     axes.set_xlabel("frequency [Hz]", fontsize=FONT_SIZE - 1.0)
@@ -93,6 +93,6 @@ def _response(axes: Axes, result: Identification, place: int, k: int) -> None:
 
 def _parts(of: Responses, k: int) -> NDArray[np.intp]:
     """Indices of the real and imaginary parts of response ``k`` in the data (2, f)."""
-    sizes = [2 * len(one.frequency) for one in of.responses]
+    sizes = [2 * int(of.compared(one).sum()) for one in of.responses]
     first = sum(sizes[:k])
     return np.arange(first, first + sizes[k]).reshape(2, -1)

@@ -26,6 +26,7 @@ from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.assembly import unknown
 from rotordyn.numerics.pole_count import Counted, counted
+from rotordyn.numerics.pole_refinement import Refined, refined
 from rotordyn.numerics.threads import linear_algebra_alone
 from rotordyn.results.display import RPM, is_rotation
 from rotordyn.scene.scene import Scene
@@ -35,6 +36,7 @@ from rotordyn.study.identification.trial import Trial, require_all_speeds
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+Flags = NDArray[np.bool_]
 PARTS = ("real", "imaginary")  # of a response, in this order
 BLURS = (0.3, 0.05)  # b, in turn: about the distance of modes, then of pairs of modes
 POINTS = 40  # frequencies of blurred responses
@@ -42,6 +44,7 @@ STEP = 1e-4  # of finite differences over the scale of an unknown: sharp peaks n
 FLOOR = 0.02  # least noise, over the relative noise of the median response
 MOST_MODES = 40
 SWAMPED = 0.5  # noise over response from which a measurement is refused
+MOST_ERROR = 0.9  # of a squared error: the lines that make it are named
 TELLING = 0.1  # noise over response up to which sign and phase are checked
 INCOHERENT = 1e-3  # least 1 − γ²: below it other errors dominate
 
@@ -111,6 +114,11 @@ class Responses(AsksNothing):
         coherence = np.clip(np.array(one.coherence), 1e-6, 1.0 - INCOHERENT)
         return np.asarray(np.sqrt((1.0 - coherence) / (2.0 * self.averages * coherence)))
 
+    def compared(self, one: MeasuredResponse) -> Flags:
+        """Frequencies (f,) at which a response is compared with the machine: noise does not swamp
+        it."""
+        return np.asarray(self._relative(one) < SWAMPED)
+
     @property
     def word(self) -> str:
         """Name usable as a file name."""
@@ -155,13 +163,29 @@ class Responses(AsksNothing):
         omega = 2.0 * np.pi * np.array(responses[0].frequency)
         with linear_algebra_alone():
             fitted = counted(omega, values, _deviation(relative, values), most)
-        misfit = np.abs(fitted.best.fit.error) ** 2
-        if (misfit.sum(axis=0) > SWAMPED**2 * (np.abs(values) ** 2).sum(axis=0)).any():
-            raise InvalidInput(
-                f"measurement {self.name}: noise swamps the responses at {_rpm(speed)}: no sum of "
-                f"modes comes nearer than {100.0 * SWAMPED:.0f} % of their size"
-            )
+            if self.averages is not None:
+                fitted = fitted._replace(best=_reweighed(omega, values, relative, fitted.best))
+        self._require_modes(speed, values, fitted)
         return fitted
+
+    def _require_modes(self, speed: float, values: Complex, of: Counted) -> None:
+        """Refuse responses that no sum of modes comes near, where their noise is not known to be
+        large: there nothing is expected of a fit."""
+        compared = np.array([self.compared(one) for one in self.of_speed(speed)]).T
+        size, error = (compared * np.abs(each) ** 2 for each in (values, of.best.fit.error))
+        for one, e, h in zip(self.of_speed(speed), error.T, size.T, strict=True):
+            if e.sum() <= SWAMPED**2 * h.sum():
+                continue
+            order = np.argsort(-e)
+            most = order[: 1 + int(np.searchsorted(np.cumsum(e[order]), MOST_ERROR * e.sum()))]
+            hertz = np.array(one.frequency)[most]
+            raise InvalidInput(
+                f"measurement {self.name}: noise swamps {one.pair} at {_rpm(speed)}: no sum of "
+                f"modes comes nearer than {100.0 * SWAMPED:.0f} % of its size, and "
+                f"{len(most)} of its {len(h)} lines, {hertz.min():g} to {hertz.max():g} Hz, make "
+                f"{100.0 * MOST_ERROR:.0f} % of the error: omit such lines, or give averages "
+                "beside a coherence"
+            )
 
     def _turned(self, one: MeasuredResponse) -> str:
         """Correction (of sign or phase) that makes a driving-point response passive; empty if it is
@@ -178,10 +202,11 @@ class Responses(AsksNothing):
     def data(self) -> Data:
         """Real, then imaginary part of every response, one after the other; with a gain of each."""
         values, deviations, gains = [], [], []
-        for one in self.responses:
+        pairs = [(one, self.compared(one)) for one in self.responses]
+        for one, at in pairs:
             size = self._smooth(one)
-            deviation = _deviation(self._relative(one)[:, None], size[:, None])[:, 0]
-            values.append(as_quantity(one, QUANTITIES[0]))
+            deviation = _deviation(self._relative(one)[:, None], size[:, None])[at, 0]
+            values.append(as_quantity(one, QUANTITIES[0])[at])
             deviations += [deviation, deviation]
         observed = [_rows(one) for one in values]
         if self.gain:
@@ -195,9 +220,9 @@ class Responses(AsksNothing):
             np.concatenate(observed),
             np.concatenate(deviations),
             *_unit(self.responses),
-            np.concatenate([np.tile(one.frequency, 2) for one in self.responses]),
+            np.concatenate([np.tile(np.array(one.frequency)[at], 2) for one, at in pairs]),
             "frequency [Hz]",
-            tuple(series for one in self.responses for series in _series(one)),
+            tuple(word for one, at in pairs for word in _series(one, int(at.sum()))),
             columns,
             np.full(len(gains), self.gain),
             tuple(gains),
@@ -234,7 +259,9 @@ class Responses(AsksNothing):
         """Predicted values in the rows of ``data`` (n,) [SI]."""
         frequency = {s: np.array(self.of_speed(s)[0].frequency) for s in self.speed}
         receptances = self.computed(trial, {s: 2.0 * np.pi * f for s, f in frequency.items()})
-        return np.concatenate([_rows(receptances[one.speed][one.pair]) for one in self.responses])
+        return np.concatenate(
+            [_rows(receptances[one.speed][one.pair][self.compared(one)]) for one in self.responses]
+        )
 
     def beside(self, trial: Trial) -> Beside:
         """Table of measured and computed modes."""
@@ -365,14 +392,21 @@ def _deviation(relative: Array, values: Complex) -> Array:
     return np.asarray(relative * np.maximum(magnitude, floor))
 
 
+def _reweighed(omega: Array, values: Complex, relative: Array, of: Refined) -> Refined:
+    """Refine poles with the noise of fitted, not of measured sizes, by which lines that noise makes
+    small count for too much; without lines that noise swamps."""
+    weight = np.where(relative < SWAMPED, 1.0 / _deviation(relative, of.fit(omega)), 0.0)
+    return refined(omega, values, of.fit.pole, weight)
+
+
 def _unit(responses: tuple[MeasuredResponse, ...]) -> tuple[str, float]:
     turned = {is_rotation(port.direction) for one in responses for port in _ports(one)}
     return ("", 1.0) if True in turned else ("µm/N", 1e6)
 
 
-def _series(one: MeasuredResponse) -> list[str]:
+def _series(one: MeasuredResponse, count: int) -> list[str]:
     at = f"{one.pair}, {_rpm(one.speed)}"
-    return [f"{at}, {part}" for part in PARTS for _ in one.frequency]
+    return [f"{at}, {part}" for part in PARTS for _ in range(count)]
 
 
 def _rpm(speed: float) -> str:

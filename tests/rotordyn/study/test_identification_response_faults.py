@@ -12,16 +12,19 @@ import pytest
 import pyuff
 
 from rotordyn.analyses.frf.records import read_record
+from rotordyn.analyses.measured_response import MeasuredResponse
 from rotordyn.errors import InvalidInput
 from rotordyn.study.identification.read import read_identification
 from rotordyn.study.identification.responses import Responses
 from rotordyn.study.identification.solve import identify
+from rotordyn.study.identification.trial import Trial
 from rotordyn.study.identification.unknown import Unknown
 from tests.rotordyn.study.rotor_twin import (
     FREQUENCY,
     OUTER,
     blank,
     case,
+    measured,
     spindle,
     unknowns,
 )
@@ -73,7 +76,7 @@ def test_noise_alone_is_no_response(taps: Responses) -> None:
     rng, first = np.random.default_rng(3), taps.responses[0]
     values = rng.normal(size=(2, len(FREQUENCY)))
     alone = replace(first, real=tuple(values[0].tolist()), imaginary=tuple(values[1].tolist()))
-    with pytest.raises(InvalidInput, match="noise swamps the responses at 0 rpm"):
+    with pytest.raises(InvalidInput, match=r"noise swamps .* at 0 rpm: no sum"):
         assert Responses(name="taps", responses=(alone,), noise=0.02).data
 
 
@@ -184,3 +187,45 @@ def test_faults_of_a_file_have_their_line(tmp_path: Path, keys: str, sentence: s
     path.write_text(ASKED % keys)
     with pytest.raises(InvalidInput, match=rf"taps\.yaml:\d+.*{sentence}"):
         read_identification(path)
+
+
+DRIFT = 2000.0  # m/N Hz⁴: of the charge amplifier of an accelerometer, at low frequencies
+
+
+def with_floor(seed: int, *, coherent: bool) -> Responses:
+    """Responses of the twin whose noise is 1 % and a drift, which swamps the
+    lowest lines; the coherence of ten averages knows it."""
+    exact, rng = measured(spindle(), noise=0.0), np.random.default_rng(seed)
+
+    def noisy(one: MeasuredResponse) -> MeasuredResponse:
+        value = np.array(one.real) + 1j * np.array(one.imaginary)
+        deviation = np.hypot(0.01 * np.abs(value), DRIFT / FREQUENCY**4)
+        coherence = 1.0 / (1.0 + 20.0 * (deviation / np.abs(value)) ** 2)
+        real, imaginary = rng.normal(size=(2, len(value))) * deviation
+        return replace(
+            one,
+            real=tuple((value.real + real).tolist()),
+            imaginary=tuple((value.imag + imaginary).tolist()),
+            coherence=tuple(coherence.tolist()),
+        )
+
+    responses = tuple(map(noisy, exact.responses))
+    ways: Any = {"averages": 10} if coherent else {"noise": 0.02}
+    return Responses(name="taps", responses=responses, **ways)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_lines_that_the_coherence_says_are_noise_do_not_count(seed: int) -> None:
+    """The others scatter about the true machine as their coherence says: χ² of as many values, of
+    which a fit to the same samples takes a few."""
+    of = with_floor(seed, coherent=True)
+    exact = of.predicted(Trial(case(spindle())))
+    every = 2 * len(FREQUENCY) * len(of.responses)
+    assert 0.5 * every < len(of.data.observed) < 0.95 * every
+    square = np.mean(((of.data.observed - exact) / of.data.deviation) ** 2)
+    assert square == pytest.approx(1.0, abs=4.0 * np.sqrt(2.0 / len(exact)))
+
+
+def test_lines_that_swamp_are_named_where_no_coherence_tells_of_them() -> None:
+    with pytest.raises(InvalidInput, match=r"of its 160 lines, 150 to [\d.]+ Hz, make 90 %.*omit"):
+        assert with_floor(0, coherent=False).data
