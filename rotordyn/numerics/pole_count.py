@@ -6,6 +6,9 @@ the weakest are removed, as long as the evidence does not suffer.
 
 The evidence of m poles is Bayes' information criterion, N ln(S/N) + k ln N, of the sum of squares S
 over N real samples and k unknowns; it needs no size of the noise, only its shape.
+
+A pole narrower than the distance of lines, for which there is no evidence without its highest line,
+is no mode: that line is an outlier, and poles are counted again without it.
 """
 
 from __future__ import annotations
@@ -15,7 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rotordyn.arrays import Array, Complex
+from rotordyn.arrays import Array, Complex, Indices
 from rotordyn.numerics.pole_refinement import Refined, refined
 from rotordyn.numerics.vector_fit import vector_fit
 
@@ -24,6 +27,7 @@ IN_VAIN = 2  # further poles without evidence end the search
 EXACT = 1e-6  # of the standard deviation: a sum this close leaves no noise to explain
 DAMPED = 0.01  # damping ratio of an initial pole
 WINDOW = 7  # samples over which errors are averaged
+MOST_OUTLIERS = 0.1  # of the lines: more are no outliers
 BEYOND = 1.5  # of either end of the band: initial poles outside
 
 
@@ -37,10 +41,12 @@ class Trial(NamedTuple):
 
 
 class Counted(NamedTuple):
-    """Fit with the chosen number of poles, and every number that was tried."""
+    """Fit with the chosen number of poles, every number that was tried, and the ``outliers`` (k,)
+    among the lines, without which it is."""
 
     best: Refined
     trials: tuple[Trial, ...]
+    outliers: Indices = np.zeros(0, dtype=int)
 
     @property
     def misfit(self) -> float:
@@ -61,6 +67,19 @@ def counted(omega: Array, values: Complex, deviation: Array, most: int) -> Count
         if trials[-1].misfit < EXACT:
             break
     return Counted(*_pruned(omega, values, weight, best, trials))
+
+
+def counted_without_outliers(omega: Array, values: Complex, deviation: Array, most: int) -> Counted:
+    """Return the poles likewise, without lines that stand alone."""
+    kept = np.arange(len(omega))
+    while True:
+        found = counted(omega[kept], values[kept], deviation[kept], most)
+        alone = _alone(omega[kept], values[kept], found.best, 1.0 / deviation[kept])
+        if len(omega) - len(kept) + len(alone) > MOST_OUTLIERS * len(omega):
+            return counted(omega, values, deviation, most)
+        if not len(alone):
+            return found._replace(outliers=np.setdiff1d(np.arange(len(omega)), kept))
+        kept = np.delete(kept, alone)
 
 
 def of_count(omega: Array, values: Complex, deviation: Array, count: int) -> Refined:
@@ -95,6 +114,29 @@ def _pruned(
         best, least = fewer, trial.evidence
         by_count[trial.poles] = trial
     return best, tuple(by_count[count] for count in sorted(by_count))
+
+
+def _alone(omega: Array, values: Complex, fit: Refined, weight: Array) -> Indices:
+    """Return the lines for which alone there is a pole: on the other lines there is no evidence of
+    it."""
+    pole, spacing, lines = fit.fit.pole, np.gradient(omega), []
+    by_line = (np.abs(weight * fit.fit.error) ** 2).sum(axis=1)
+    for k in range(len(pole) if len(pole) > 1 else 0):
+        line = int(np.abs(omega - pole[k].imag).argmin())
+        if abs(pole[k].real) > spacing[line]:
+            continue
+        rest = np.delete(np.arange(len(omega)), line)
+        fewer = refined(omega[rest], values[rest], np.delete(pole, k), weight[rest])
+        others = fit._replace(squares=by_line[rest].sum())
+        # a weak pole that moves to the place of this one says that there is a mode
+        before, after = (
+            (np.abs(each.imag - omega[line]) < 2.0 * spacing[line]).sum()
+            for each in (pole, fewer.fit.pole)
+        )
+        no_evidence = _trial(fewer, values[rest]).evidence < _trial(others, values[rest]).evidence
+        if no_evidence and after < before:
+            lines.append(line)
+    return np.unique(np.array(lines, dtype=int))
 
 
 def _strength(omega: Array, fit: Refined, weight: Array) -> Array:

@@ -34,6 +34,7 @@ DAMPED = 0.3  # damping ratio above which a fitted pole is not a mode
 WIDTHS = 4.0  # half-widths of peaks within which a mode is hidden by another
 SEEN = 5.0  # peak over noise from which a computed mode should have been measured
 FELT = 1.0  # peak over noise from which a hidden mode affects the measured one
+MOST = 4  # outliers that are named
 NOISIER = 1.2  # scatter about the fitted modes over the stated noise that is remarked
 HEAD = (
     "speed [rpm]",
@@ -88,6 +89,14 @@ def _remarks(of: Responses, modes: list[Mode]) -> Iterator[str]:
             f"small: {', '.join(several)}"
         )
     for speed, fit in of.modes.items():
+        if len(fit.outliers):
+            hertz = np.array(of.of_speed(speed)[0].frequency)[fit.outliers]
+            more = f" and {len(hertz) - MOST} more" if len(hertz) > MOST else ""
+            yield (
+                f"at {speed * RPM.factor:.0f} rpm lines stand alone, as no mode does: "
+                f"{', '.join(f'{each:.6g}' for each in hertz[:MOST])} Hz{more}; they are not "
+                "compared: measure them again"
+            )
         if fit.misfit > NOISIER:
             yield (
                 f"at {speed * RPM.factor:.0f} rpm responses scatter {fit.misfit:.2g} times as much "

@@ -25,7 +25,7 @@ from rotordyn.analyses.passivity import NO_DRIVING_POINT, fault_at_driving_point
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.assembly import unknown
-from rotordyn.numerics.pole_count import Counted, counted
+from rotordyn.numerics.pole_count import Counted, counted_without_outliers
 from rotordyn.numerics.pole_refinement import Refined, refined
 from rotordyn.numerics.threads import linear_algebra_alone
 from rotordyn.results.display import RPM, is_rotation
@@ -116,8 +116,10 @@ class Responses(AsksNothing):
 
     def compared(self, one: MeasuredResponse) -> Flags:
         """Frequencies (f,) at which a response is compared with the machine: noise does not swamp
-        it."""
-        return np.asarray(self._relative(one) < SWAMPED)
+        it, and they are no outliers."""
+        compared = self._relative(one) < SWAMPED
+        compared[self.modes[one.speed].outliers] = False
+        return np.asarray(compared)
 
     @property
     def word(self) -> str:
@@ -162,17 +164,20 @@ class Responses(AsksNothing):
                 )
         omega = 2.0 * np.pi * np.array(responses[0].frequency)
         with linear_algebra_alone():
-            fitted = counted(omega, values, _deviation(relative, values), most)
+            fitted = counted_without_outliers(omega, values, _deviation(relative, values), most)
+            compared = relative < SWAMPED
+            compared[fitted.outliers] = False
             if self.averages is not None:
-                fitted = fitted._replace(best=_reweighed(omega, values, relative, fitted.best))
-        self._require_modes(speed, values, fitted)
+                better = _reweighed(omega, values, relative, compared, fitted.best)
+                fitted = fitted._replace(best=better)
+        error = values - fitted.best.fit(omega)
+        self._require_modes(speed, np.where(compared, values, 0.0), np.where(compared, error, 0.0))
         return fitted
 
-    def _require_modes(self, speed: float, values: Complex, of: Counted) -> None:
-        """Refuse responses that no sum of modes comes near, where their noise is not known to be
-        large: there nothing is expected of a fit."""
-        compared = np.array([self.compared(one) for one in self.of_speed(speed)]).T
-        size, error = (compared * np.abs(each) ** 2 for each in (values, of.best.fit.error))
+    def _require_modes(self, speed: float, values: Complex, error: Complex) -> None:
+        """Refuse responses (f, e), 0 where they are not compared, that no sum of modes comes near,
+        with such an ``error``."""
+        size, error = np.abs(values) ** 2, np.abs(error) ** 2
         for one, e, h in zip(self.of_speed(speed), error.T, size.T, strict=True):
             if e.sum() <= SWAMPED**2 * h.sum():
                 continue
@@ -392,10 +397,12 @@ def _deviation(relative: Array, values: Complex) -> Array:
     return np.asarray(relative * np.maximum(magnitude, floor))
 
 
-def _reweighed(omega: Array, values: Complex, relative: Array, of: Refined) -> Refined:
-    """Refine poles with the noise of fitted, not of measured sizes, by which lines that noise makes
-    small count for too much; without lines that noise swamps."""
-    weight = np.where(relative < SWAMPED, 1.0 / _deviation(relative, of.fit(omega)), 0.0)
+def _reweighed(
+    omega: Array, values: Complex, relative: Array, compared: Flags, of: Refined
+) -> Refined:
+    """Refine poles by the lines that are ``compared``, with the noise of fitted, not of measured
+    sizes, by which lines that noise makes small count for too much."""
+    weight = np.where(compared, 1.0 / _deviation(relative, of.fit(omega)), 0.0)
     return refined(omega, values, of.fit.pole, weight)
 
 

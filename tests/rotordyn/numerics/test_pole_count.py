@@ -15,6 +15,7 @@ from rotordyn.numerics.pole_count import (
     _strength,
     _trial,
     counted,
+    counted_without_outliers,
 )
 from rotordyn.numerics.pole_refinement import Refined, refined
 from rotordyn.numerics.vector_fit import residues
@@ -186,3 +187,29 @@ def test_counting_begins_at_peaks_the_most_prominent_first() -> None:
     assert found.real == pytest.approx(-0.01 * found.imag)
     rise = _peaks(OMEGA, np.exp(OMEGA[:, None] / 1e3) + 0j)
     assert rise.imag.tolist() == [OMEGA[-1]]
+
+
+@pytest.mark.parametrize("stated", [1.0, 0.1, 10.0])
+@pytest.mark.parametrize("seed", range(3))
+def test_a_line_that_stands_alone_is_no_pole(seed: int, stated: float) -> None:
+    """Of one response, twice its size off; a peak narrower than the distance of lines, which
+    stands on many of them, is a pole. The noise may be stated wrongly."""
+    samples, deviation = measured(seed)
+    rng = np.random.default_rng(100 + seed)
+    wrong = np.array([12, 77, 140, 205, 290])
+    samples[wrong, rng.integers(3, size=len(wrong))] *= 3.0
+    sharp = 2.0 * np.pi * 420.4 * (-1e-4 + 1j)
+    samples += (0.02 * SHAPE[3] / (1j * OMEGA[:, None] - sharp)) * 2e-4
+    deviation = stated * np.abs(samples) * NOISE
+    found = counted_without_outliers(OMEGA, samples, deviation, 24)
+    assert found.outliers.tolist() == wrong.tolist()
+    assert inside(found).sum() == len(POLE) + 1
+    assert np.abs(found.best.fit.pole - sharp).min() < 2.0 * np.pi * 0.1
+    assert found.misfit * stated == pytest.approx(1.0, abs=0.1)
+    assert inside(counted(OMEGA, samples, deviation, 24)).sum() > len(POLE) + 1
+
+
+def test_more_outliers_than_a_tenth_are_none() -> None:
+    samples, deviation = measured(0)
+    samples[::8] *= 3.0
+    assert not counted_without_outliers(OMEGA, samples, deviation, 8).outliers.size

@@ -229,3 +229,23 @@ def test_lines_that_the_coherence_says_are_noise_do_not_count(seed: int) -> None
 def test_lines_that_swamp_are_named_where_no_coherence_tells_of_them() -> None:
     with pytest.raises(InvalidInput, match=r"of its 160 lines, 150 to [\d.]+ Hz, make 90 %.*omit"):
         assert with_floor(0, coherent=False).data
+
+
+def test_lines_that_stand_alone_are_named_and_are_no_modes(taps: Responses) -> None:
+    """One in fifty, twice its size off."""
+    wrong, first = [20, 70, 131], taps.responses[0]
+    factor = np.ones(len(FREQUENCY))
+    factor[wrong] = 3.0
+    parts = {
+        name: tuple((factor * getattr(first, name)).tolist()) for name in ("real", "imaginary")
+    }
+    of = replace(taps, responses=(replace(first, **parts), *taps.responses[1:]))
+    true = Trial(case(spindle()))
+    remarks = " ".join(of.beside(true).remarks)
+    assert "lacks" not in remarks
+    named = ", ".join(f"{FREQUENCY[k]:.6g}" for k in wrong)
+    assert f"at 0 rpm lines stand alone, as no mode does: {named} Hz; they are not" in remarks
+    assert not {*FREQUENCY[wrong]} & {*of.data.at[["0 rpm" in s for s in of.data.series]]}
+    square = np.mean(((of.data.observed - of.predicted(true)) / of.data.deviation) ** 2)
+    assert square == pytest.approx(1.0, abs=0.2)
+    assert "stand alone" not in " ".join(taps.beside(true).remarks)
