@@ -7,7 +7,7 @@ the weakest are removed, as long as the evidence does not suffer.
 The evidence of m poles is Bayes' information criterion, N ln(S/N) + k ln N, of the sum of squares S
 over N real samples and k unknowns; it needs no size of the noise, only its shape.
 
-A pole narrower than the distance of lines, for which there is no evidence without its highest line,
+A pole much narrower than the distance of lines, for which there is no evidence without its highest line,
 is no mode: that line is an outlier, and poles are counted again without it.
 """
 
@@ -27,6 +27,7 @@ IN_VAIN = 2  # further poles without evidence end the search
 EXACT = 1e-6  # of the standard deviation: a sum this close leaves no noise to explain
 DAMPED = 0.01  # damping ratio of an initial pole
 WINDOW = 7  # samples over which errors are averaged
+NARROW = 0.2  # of the distance of lines: a wider pole is seen on adjacent ones
 MOST_OUTLIERS = 0.1  # of the lines: more are no outliers
 BEYOND = 1.5  # of either end of the band: initial poles outside
 
@@ -123,7 +124,7 @@ def _alone(omega: Array, values: Complex, fit: Refined, weight: Array) -> Indice
     by_line = (np.abs(weight * fit.fit.error) ** 2).sum(axis=1)
     for k in range(len(pole) if len(pole) > 1 else 0):
         line = int(np.abs(omega - pole[k].imag).argmin())
-        if abs(pole[k].real) > spacing[line]:
+        if abs(pole[k].real) > NARROW * spacing[line]:
             continue
         rest = np.delete(np.arange(len(omega)), line)
         fewer = refined(omega[rest], values[rest], np.delete(pole, k), weight[rest])
