@@ -191,9 +191,10 @@ def _unit_for(kind: str, text: str, given: object) -> Unit:
 def parse_unit(text: str) -> Unit:
     """The unit spelled by ``text``; raises InvalidInput where it has none or an unknown one.
 
-    A slash divides by the one factor after it; µ, μ or u, a dot, star or space, ² or ^2 all do.
+    A slash divides by the one factor after it, or by a product in brackets; µ, μ or u, a dot, star
+    or space, ² or ^2 all do.
     """
-    spelling = _normal(text)
+    spelling = _normal(without_brackets(text))
     spelling = _WHOLE.get(spelling.replace(" ", ""), spelling)
     exponent, factor, dimension = 0, 1.0, NONE
     position = 1 if re.match(r"1 ?/", spelling) else 0
@@ -208,6 +209,19 @@ def parse_unit(text: str) -> Unit:
         dimension = _plus(dimension, named.dimension, power)
         position = match.end()
     return Unit(exponent, factor, dimension)
+
+
+def without_brackets(text: str) -> str:
+    """Write a unit without brackets: division by a product becomes division by each factor.
+
+    >>> without_brackets("rad/(N·m)"), without_brackets("(m/s²)/N")
+    ('rad/N/m', 'm/s²/N')
+    """
+
+    def divided(product: re.Match[str]) -> str:
+        return "/" + re.sub(r"\s*[·⋅* ]\s*", "/", product[1].strip())
+
+    return re.sub(r"\(([^()]*)\)", r"\1", re.sub(r"/\s*\(([^()]*)\)", divided, text))
 
 
 def _named(name: str, whole: str) -> Unit:

@@ -7,8 +7,8 @@ the weakest are removed, as long as the evidence does not suffer.
 The evidence of m poles is Bayes' information criterion, N ln(S/N) + k ln N, of the sum of squares S
 over N real samples and k unknowns; it needs no size of the noise, only its shape.
 
-A pole much narrower than the distance of lines, for which there is no evidence without its highest line,
-is no mode: that line is an outlier, and poles are counted again without it.
+A pole much narrower than the distance of lines, for which there is no evidence without its highest
+line, is no mode: that line is an outlier, and poles are counted again without it.
 """
 
 from __future__ import annotations

@@ -18,7 +18,7 @@ from rotordyn.delimited import rows as rows_of
 from rotordyn.errors import InvalidInput
 from rotordyn.quantity import FREQUENCY
 from rotordyn.results.display import is_rotation, response_unit
-from rotordyn.units import STANDARD_GRAVITY, parse_unit, shown
+from rotordyn.units import STANDARD_GRAVITY, parse_unit, shown, without_brackets
 
 _MOTIONS = {8: "receptance", 11: "mobility", 12: "inertance"}
 _OF_FILE = ("length of a metre", "force of a newton")  # in the units of a file
@@ -218,11 +218,8 @@ def _unit(text: str, pair: str) -> tuple[str, float]:
 
 
 def _flat(text: str) -> str:
-    """A unit without brackets: division by a product becomes division by each factor."""
-    divided = re.sub(
-        r"/\s*\(([^()]*)\)", lambda m: "/" + re.sub(r"\s*[·⋅* ]\s*", "/", m[1].strip()), text
-    )
-    return re.sub(r"(?<=s)2\b", "^2", re.sub(r"[()]", "", divided))
+    """A unit without brackets, in which s2 is s²."""
+    return re.sub(r"(?<=s)2\b", "^2", without_brackets(text))
 
 
 def _from_table(path: Path, pair: str) -> Record:

@@ -17,6 +17,8 @@ from rotordyn.errors import InvalidInput
 from rotordyn.field import shown
 from rotordyn.quantity import suggestion
 from rotordyn.results.declaration import declared
+from rotordyn.results.display import Shown
+from rotordyn.results.display import shown as printed_unit
 from rotordyn.results.headline import Number
 from rotordyn.results.kinds import Array
 from rotordyn.units import in_unit, parse_unit
@@ -83,6 +85,13 @@ class Criterion:
         numbers = list(about.numbers(result, case))
         selected = _begun(numbers, words) or _begun(about.lacking(result), words)
         if not selected:
+            if not numbers:
+                fields = variables(result)
+                named = [words] if words in fields else fields
+                raise InvalidInput(
+                    f"{shown(self.of)}: {self.analysis} has no headline numbers; allowed: its "
+                    f"variables, {', '.join(f'{self.analysis}.{name}' for name in named)}"
+                )
             names = list(dict.fromkeys(each.name for each in numbers))
             raise InvalidInput(
                 f"{shown(self.of)}: {self.analysis} has no such number; allowed: "
@@ -112,10 +121,11 @@ class Criterion:
                 f"{shown(self.of)}: {self.analysis} has no such variable; allowed: "
                 f"{', '.join(fields)}{suggestion(name, fields)}"
             )
-        dims, printed = fields[name], declared(result)[name].metadata["printed"]
+        dims = fields[name]
         values = np.asarray(getattr(result, name))
         values = np.abs(values) if np.iscomplexobj(values) else values.astype(float)
         written = {dim: _written(result, dim) for dim in dims}
+        units = _units(result, name)
         others = dict(analysis(self.analysis).unlisted(result))
         for coordinate, asked in self.where.items():
             if coordinate not in dims:
@@ -128,6 +138,9 @@ class Criterion:
             indices = _places(self.of, coordinate, entries, asked, unit, further)
             values = values.take(indices, axis=dims.index(coordinate))
             written[coordinate] = [written[coordinate][k] for k in indices]
+            if coordinate == units.along:
+                units = units.taken(indices)
+        printed = units.printed(self.of)
         several = [words if len(words) > 1 else [""] for words in written.values()]
         names = [", ".join(filter(None, words)) for words in product(*several)]
         present = ~np.isnan(values.reshape(-1))
@@ -136,6 +149,38 @@ class Criterion:
             printed.unit,
             tuple(f"{self.of} {words}".strip() for words in compress(names, present)),
         )
+
+
+class _Units(NamedTuple):
+    """Printed units of a variable: one, or those of the entries ``along`` a coordinate."""
+
+    units: tuple[Shown, ...]
+    along: str = ""
+
+    def taken(self, indices: Sequence[int]) -> _Units:
+        """Units of some of the entries; where there are none, of all."""
+        return _Units(tuple(self.units[k] for k in indices) or self.units, self.along)
+
+    def printed(self, of: str) -> Shown:
+        """The one unit; refuse several."""
+        several = list(dict.fromkeys(self.units))
+        if len(several) > 1:
+            raise InvalidInput(
+                f"{shown(of)}: these entries have several units, "
+                f"{', '.join(each.unit for each in several)}: choose by where: {{{self.along}: …}}"
+            )
+        return several[0]
+
+
+def _units(result: Any, name: str) -> _Units:
+    """Units of a variable. Those that differ between entries do so along the last coordinate that
+    has names: pairs, or ports."""
+    entries = result.entry_units(name) if hasattr(result, "entry_units") else ()
+    metadata = declared(result)[name].metadata
+    if not entries:
+        return _Units((metadata["printed"],))
+    named = [dim for dim in metadata["dims"] if not _is_number(getattr(result, dim))]
+    return _Units(tuple(map(printed_unit, entries)), named[-1])
 
 
 def _begun(numbers: Iterable[Number], words: str) -> list[Number]:

@@ -103,11 +103,64 @@ def test_span_of_least_deflection(tmp_path: Path) -> None:
         workers=1,
     )
     assert found.best is not None
-    assert found.best.goals[0] == pytest.approx(1.0 / stiffness, rel=1e-4)
+    assert found.best.goals[0] == pytest.approx(1e6 / stiffness, rel=1e-4)  # µm/N
     assert found.values["spindle.supports.rear.x"] - a == pytest.approx(best, rel=0.02)
     assert found.binding == []
     (line,) = (line for line in summary(found).splitlines() if "frf.receptance" in line)
-    assert float(line.split()[-1]) == pytest.approx(found.best.goals[0], rel=1e-3)
+    assert line.split()[-1] == f"{found.best.goals[0]:.3g}"
+
+
+@pytest.fixture(scope="module")
+def overhung(tmp_path_factory: pytest.TempPathFactory) -> tuple[Case, Any]:
+    """Case and results of the two springs, with a moment beside the force."""
+    path = tmp_path_factory.mktemp("span") / "span.yaml"
+    text = SPAN_CASE.format(outer=OUTER, overhang=OVERHANG, front=FRONT, rear=REAR)
+    pairs = "{response: nose.y, excitation: nose.y}"
+    text = text.replace(pairs, f"{pairs}, {{response: nose.thz, excitation: nose.thz}}")
+    path.write_text(text, encoding="utf-8")
+    case = rotordyn.load(path)
+    return case, Neighbours().solve(case)[0].results
+
+
+@pytest.mark.parametrize("of", ["frf.receptance", "frf.peak_value"])
+def test_a_limit_on_a_response_takes_units_of_its_pair(of: str, overhung: Any) -> None:
+    """Any of a displacement over a force, and a number in SI; rotations have another."""
+    case, results = overhung
+    size = 2e-7
+    for pair, (unit, factor), texts in (
+        ("nose.y / nose.y", ("µm/N", 1e6), ("2e-7 m/N", "2e-4 mm/N", "0.2 um/N", "0.2 µm/N", size)),
+        (
+            "nose.thz*",
+            ("rad/(N·m)", 1.0),
+            ("2e-7 rad/(N·m)", "2e-7 rad/N/m", "2e-4 mrad/(N m)", size),
+        ),
+    ):
+        reading = Criterion(of, {"pair": pair}).read(case, results)
+        assert reading.unit == unit
+        if of == "frf.receptance":
+            value = np.abs(results["frf"].receptance[0, 0 if "y" in pair else 1, 0])
+            assert reading.values == pytest.approx([value * factor])
+        for given in texts:
+            assert amount(given, reading.unit) == pytest.approx(size * factor, rel=1e-12)
+            assert Limit(of, at_most=given).margin(Reading(np.array([0.0]), unit))[0] == 1.0
+        with pytest.raises(
+            InvalidInput, match=rf"limit of '{of}': expected a number in {unit[:3]}"
+        ):
+            Limit(of, at_most="1 N").margin(reading)
+
+
+def test_responses_of_several_units_are_not_compared(overhung: Any) -> None:
+    with pytest.raises(
+        InvalidInput, match=r"several units, µm/N, rad/\(N·m\): choose by where: {pair"
+    ):
+        Criterion("frf.receptance").read(*overhung)
+
+
+def test_an_analysis_without_headline_numbers_names_its_variables(overhung: Any) -> None:
+    with pytest.raises(InvalidInput, match=r"no headline numbers; allowed: .*, frf\.receptance$"):
+        Criterion("frf: receptance").read(*overhung)
+    with pytest.raises(InvalidInput, match=r"allowed: its variables, frf\.unstable, .*receptance$"):
+        Criterion("frf: amplitude").read(*overhung)
 
 
 def test_a_machine_without_critical_speed_keeps_a_limit_that_says_so(tmp_path: Path) -> None:
