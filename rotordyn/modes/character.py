@@ -9,11 +9,11 @@ import numpy as np
 from rotordyn.arrays import Array, Complex
 from rotordyn.equation.dofs import position
 from rotordyn.equation.linear import Linear
-from rotordyn.modes.branches import PLANAR, Branch, circular_share
+from rotordyn.modes.branches import PLANAR, Branch
 
 MOSTLY = 0.5  # of the kinetic energy
 ACROSS = 1e-3  # of the kinetic energy: a mode with less across the axis has none there
-FELT = 1e-3  # of the largest deflection squared: a node with less has no direction of whirl
+FELT = 0.01  # of the squared deflections of all nodes: whirl against the rest by less is ignored
 
 
 def rigid_share(linear: Linear, branch: Branch) -> Array:
@@ -57,6 +57,6 @@ def whirl_along(linear: Linear, vector: Complex, degree: float) -> str:
         return forward
     y, z = (linear.motion[:, position(name)] @ vector for name in ("y", "z"))
     size = np.abs(y) ** 2 + np.abs(z) ** 2
-    moving = size > FELT * size.max()
-    degrees = circular_share(y[moving, None], z[moving, None])
-    return "mixed" if degrees.min() < -PLANAR and degrees.max() > PLANAR else forward
+    turn = np.abs(y + 1j * z) ** 2 - np.abs(y - 1j * z) ** 2  # forward less backward
+    against = turn * degree < 0.0
+    return "mixed" if size[against].sum() > FELT * size.sum() else forward
