@@ -129,13 +129,10 @@ def _alone(omega: Array, values: Complex, fit: Refined, weight: Array) -> Indice
         rest = np.delete(np.arange(len(omega)), line)
         fewer = refined(omega[rest], values[rest], np.delete(pole, k), weight[rest])
         others = fit._replace(squares=by_line[rest].sum())
-        # a weak pole that moves to the place of this one says that there is a mode
-        before, after = (
-            (np.abs(each.imag - omega[line]) < 2.0 * spacing[line]).sum()
-            for each in (pole, fewer.fit.pole)
-        )
+        # beside another pole, or where one moves to the place of this one, there may be a mode
+        near = np.abs(fewer.fit.pole.imag - omega[line]) < 2.0 * spacing[line]
         no_evidence = _trial(fewer, values[rest]).evidence < _trial(others, values[rest]).evidence
-        if no_evidence and after < before:
+        if no_evidence and not near.any():
             lines.append(line)
     return np.unique(np.array(lines, dtype=int))
 
