@@ -232,8 +232,8 @@ def test_lines_that_swamp_are_named_where_no_coherence_tells_of_them() -> None:
 
 
 def test_lines_that_stand_alone_are_named_and_are_no_modes(taps: Responses) -> None:
-    """One in fifty, twice its size off."""
-    wrong, first = [20, 70, 120], taps.responses[0]
+    """Three of them twice their size off, none within two lines of a mode."""
+    wrong, first = [40, 70, 120], taps.responses[0]
     factor = np.ones(len(FREQUENCY))
     factor[wrong] = 3.0
     parts = {
