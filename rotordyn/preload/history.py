@@ -9,7 +9,7 @@ faster solver for cycles of force alone, for identification.
 from __future__ import annotations
 
 import math
-from bisect import bisect_left
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain, groupby, pairwise
@@ -31,6 +31,7 @@ from rotordyn.preload.arrangement import (
 )
 from rotordyn.preload.axial_tables import axial_tables, deflection_of
 from rotordyn.preload.network import Network as PreloadNetwork
+from rotordyn.preload.passed_speeds import passed_speeds
 from rotordyn.preload.state import PreloadState
 from rotordyn.state import NoEquilibrium
 from rotordyn.state.along import along, parts, passed
@@ -48,9 +49,10 @@ class History:
     """Axial ``network`` of the spindle and the loads of its history.
 
     ``of_seat``: index of the network's bearing at each seat; ``rest``: load at assembly;
-    ``before``: loads up to the run-up; ``through``: load at each speed as the run-up passes it;
-    ``after``: loads that follow there; ``loads``: the last one at each speed. ``lower``: number of
-    speeds below the one at which the run-up begins.
+    ``before``: loads up to the run-up; ``passed``: loads on the way to each speed, from the last
+    one passed on the way to its neighbour; ``through``: load as the run-up reaches it; ``after``:
+    loads that follow there; ``loads``: the last one at each speed. ``lower``: number of speeds
+    below the one at which the run-up begins.
     """
 
     network: Network
@@ -58,6 +60,7 @@ class History:
     rest: Load
     loads: tuple[Load, ...]
     before: tuple[Load, ...]
+    passed: tuple[tuple[Load, ...], ...]
     through: tuple[Load, ...]
     after: tuple[tuple[Load, ...], ...]
     lower: int
@@ -72,9 +75,10 @@ class History:
         for route in (rows[self.lower :], rows[: self.lower][::-1]):
             state, load = initial, path[-1]
             for row in route:
-                state = self._followed(state, (load, self.through[row]))
-                load = self.through[row]
-                ends[row] = self._followed(state, (load, *self.after[row]))
+                way = load, *self.passed[row]
+                state, load = self._followed(state, way), way[-1]
+                # a branch of its own: the state at a speed does not depend on the other ones
+                ends[row] = self._followed(state, (load, self.through[row], *self.after[row]))
         return ends
 
     def _followed(self, state: State | str, path: Sequence[Load]) -> State | str:
@@ -188,18 +192,20 @@ def history(preload: PreloadState, reach: float) -> History:
         push[SHAFT], gap[SHAFT] = at.force, -at_supports
         return Load(push, shift, gap, of_bearings)
 
-    before, through, after = moments(past, joined.speed.tolist(), preload.force)
+    speeds, between = joined.speed.tolist(), _passed_speeds(preload).tolist()
+    before, passed, through, after = moments(past, speeds, preload.force, between)
     start = Moment(0.0, False, 0.0)
-    laws.all_at([*before, *through, *chain(*after)])
+    laws.all_at([*before, *chain(*passed), *through, *chain(*after)])
     return History(
         network,
         of_seat=joined.bearing_of_seat,
         rest=load(start),
         loads=tuple(load(path[-1]) for path in after),
         before=tuple(load(at) for at in before),
+        passed=tuple(tuple(load(at) for at in way) for way in passed),
         through=tuple(load(at) for at in through),
         after=tuple(tuple(load(at) for at in path[1:]) for path in after),
-        lower=bisect_left(joined.speed.tolist(), (before or [start])[-1].speed),
+        lower=bisect_left(speeds, (before or [start])[-1].speed),
     )
 
 
@@ -211,18 +217,36 @@ class Moment(NamedTuple):
     force: float
 
 
+class Moments(NamedTuple):
+    """Points ``before`` the run-up, those ``passed`` on it since the neighbour of each speed, at
+    each speed as it comes ``through``, and from there on."""
+
+    before: list[Moment]
+    passed: list[list[Moment]]
+    through: list[Moment]
+    after: list[list[Moment]]
+
+
 def moments(
-    past: Past, speeds: Sequence[float], force: float
-) -> tuple[list[Moment], list[Moment], list[list[Moment]]]:
-    """Return points before the run-up, at each of ``speeds`` on it, and from each of these on.
+    past: Past, speeds: Sequence[float], force: float, between: Sequence[float] = ()
+) -> Moments:
+    """Return the points of a history up to each of ``speeds``; its ways from speed to speed lead
+    through those ``between`` [rad/s], ascending.
 
     In the end every speed has its temperatures, and the axial ``force`` [N] on the shaft.
     """
     current = Moment(0.0, False, past.weight)
     before = [] if past.weight == 0.0 else [current]
     for step in past.before:
-        before += _changed(step, current, past.weight, speeds)
+        before += _changed(step, current, past.weight, between)
         current = before[-1]
+    passed: list[list[Moment]] = [[] for _ in speeds]
+    rows, lower = range(len(speeds)), bisect_left(speeds, current.speed)
+    for route in (rows[lower:], rows[:lower][::-1]):
+        last = current
+        for row in route:
+            passed[row] = _way(last, speeds[row], between)
+            last = [last, *passed[row]][-1]
     through = [current._replace(speed=speed) for speed in speeds]
     after = []
     for passage in through:
@@ -231,13 +255,24 @@ def moments(
             path += _changed(step, path[-1], past.weight, ())
         path += [path[-1]._replace(warm=True), Moment(passage.speed, True, force)]
         after.append([path[0], *(b for a, b in pairwise(path) if a != b)])
-    return before, through, after
+    return Moments(before, passed, through, after)
+
+
+def _passed_speeds(preload: PreloadState) -> Array:
+    """Return the speeds that the ways of its history lead through."""
+    top = max(*preload.speed.tolist(), *preload.past.speeds)
+    return passed_speeds(preload.spindle, top, preload.temperatures)
+
+
+def _all_speeds(preload: PreloadState) -> Array:
+    """Return all speeds of a preload state and its history, ascending."""
+    return np.unique([*preload.speed, *preload.past.speeds, *_passed_speeds(preload)])
 
 
 def _separated(preload: PreloadState) -> Arrangement:
     """Return the arrangement of a preload state; bearings that do not stay identical through its
     history are separate."""
-    joined, speeds = preload.network.arrangement, np.union1d(preload.speed, preload.past.speeds)
+    joined, speeds = preload.network.arrangement, _all_speeds(preload)
     conditions = preload.law, preload.temperatures, preload.films
     groups = arrangement(preload.spindle, speeds, 0.0, *conditions).bearing_of_seat
     bearings = [
@@ -250,39 +285,42 @@ def _separated(preload: PreloadState) -> Arrangement:
 
 def _require_allowed(preload: PreloadState, bearings: int) -> None:
     """Raise TooCostly if load tables and steps of the history take more than is allowed."""
-    past, speeds = preload.past, preload.speed.tolist()
-    steps = most_moments(past, speeds)
-    table_speeds = {0.0, *speeds, *(step.speed for step in past.steps if step.speed is not None)}
-    laws = len(table_speeds) * bearings
+    past, between = preload.past, _passed_speeds(preload).tolist()
+    steps = most_moments(past, len(preload.speed), between)
+    laws = len(_all_speeds(preload)) * bearings
     if preload.temperatures is not None and past.cold:
         laws *= 2
     what = f"history: {steps} steps and {laws} load tables of bearings"
     require_history(what, laws, steps)
 
 
-def most_moments(past: Past, speeds: Sequence[float]) -> int:
-    """Return an upper bound of the number of ``moments``."""
+def most_moments(past: Past, speeds: int, between: Sequence[float] = ()) -> int:
+    """Return an upper bound of the number of ``moments`` at so many ``speeds``."""
     current, count = 0.0, 0
     for step in past.before:
         goal = current if step.speed is None else step.speed
-        count += 1 + abs(bisect_left(speeds, goal) - bisect_left(speeds, current))
+        count += 1 + abs(bisect_left(between, goal) - bisect_left(between, current))
         current = goal
-    return count + len(speeds) * (len(past.after) + 3)
+    return count + len(between) + speeds * (len(past.after) + 3)
 
 
 def _changed(
-    step: HistoryStep, start: Moment, weight: float, speeds: Sequence[float]
+    step: HistoryStep, start: Moment, weight: float, between: Sequence[float]
 ) -> list[Moment]:
-    """Return the points to which a step leads from ``here``, one at each of ``speeds`` between."""
+    """Return the points to which a step leads from ``start``."""
     if step.warm is not None:
         return [start._replace(warm=step.warm)]
     if step.axial_force is not None:
         return [start._replace(force=weight + step.axial_force)]
     goal = start.speed if step.speed is None else step.speed
+    return [*_way(start, goal, between), start._replace(speed=goal)]
+
+
+def _way(start: Moment, goal: float, between: Sequence[float]) -> list[Moment]:
+    """Return the points on the way from ``start`` to another speed, without both."""
     low, high = sorted((start.speed, goal))
-    route = [*(speed for speed in speeds if low < speed < high), high]
-    route = route if goal >= start.speed else [*route[-2::-1], low]
-    return [start._replace(speed=speed) for speed in route]
+    inside = between[bisect_right(between, low) : bisect_left(between, high)]
+    return [start._replace(speed=at) for at in (inside if goal > low else inside[::-1])]
 
 
 class BearingLaws:
@@ -291,7 +329,7 @@ class BearingLaws:
 
     def __init__(self, preload: PreloadState, joined: Arrangement, most: float) -> None:
         self.preload, self.joined, self.most = preload, joined, most
-        self.speeds = np.union1d(preload.speed, preload.past.speeds)
+        self.speeds = _all_speeds(preload)
         self._arranged: dict[bool, Arrangement] = {}  # at all of these, warm or not
         self._known: dict[tuple[float, bool], tuple[tuple[AxialLaw, ...], Array, float]] = {}
 

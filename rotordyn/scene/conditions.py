@@ -92,7 +92,7 @@ class Conditions(Description):
     history: Annotated[
         tuple[HistoryStep, ...],
         "what happened from assembly on, step by step; dry friction of sleeves remembers it. By "
-        "default the spindle takes its temperatures and runs up through the speeds of the case. "
+        "default the spindle takes its temperatures and runs up to every speed of the case. "
         "At each of them the temperatures and forces of the conditions follow in the end "
         "([how](theory/network.md#friction-in-all-analyses))",
     ] = ()

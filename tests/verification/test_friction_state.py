@@ -16,8 +16,9 @@ import pytest
 from bearings import AngularContactBallBearing
 from bearings.ball.law import Law
 from rotordyn.allowance import within
-from rotordyn.analyses import AxialCycleSpec, PreloadSpec, StiffnessSpec
+from rotordyn.analyses import AxialCycleSpec, LifeSpec, LoadStep, PreloadSpec, StiffnessSpec
 from rotordyn.analyses.axial_cycle.solve import solve as axial_cycle
+from rotordyn.analyses.life.solve import solve as life_answer
 from rotordyn.analyses.preload.solve import solve as preload_answer
 from rotordyn.analyses.preload.summary import summary
 from rotordyn.analyses.stiffness.solve import solve as stiffness_answer
@@ -30,12 +31,14 @@ from rotordyn.preload.arrangement import arrangement
 from rotordyn.preload.axial_tables import _Request, axial_tables, solved
 from rotordyn.preload.friction import Rubbing, operating_state
 from rotordyn.preload.history import Moment, history, moments, most_moments
+from rotordyn.preload.passed_speeds import SPACING, passed_speeds
 from rotordyn.preload.state import PreloadState
 from rotordyn.preload.together import dynamic_preload
+from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.scene import Scene
 from tests.oracles.known_grooves import deep_groove, drawn_6210
-from tests.oracles.spindles import RPM, mfw2310, scene, system_of, with_sleeve
+from tests.oracles.spindles import RPM, case, mfw2310, scene, system_of, with_sleeve
 
 LAW = Law("outer", "equal")
 FRICTION = 80.9  # N, Noël 2013, Tab. 3.7
@@ -253,7 +256,7 @@ def test_friction_that_takes_over_from_a_stop_is_no_stop_speed() -> None:
 
 
 def test_by_default_temperatures_come_first_and_forces_last() -> None:
-    before, through, after = moments(Past(weight=50.0), [0.0, 10.0], 250.0)
+    before, _, through, after = moments(Past(weight=50.0), [0.0, 10.0], 250.0)
     assert before == [Moment(0.0, False, 50.0), Moment(0.0, True, 50.0)]
     assert through == [Moment(0.0, True, 50.0), Moment(10.0, True, 50.0)]
     assert [path[1:] for path in after] == [[Moment(s, True, 250.0)] for s in (0.0, 10.0)]
@@ -266,20 +269,82 @@ def test_a_history_in_its_order() -> None:
         HistoryStep(run_up=True),
         HistoryStep(axial_force=0.0),
     )
-    before, through, after = moments(Past(steps), [10.0, 20.0, 30.0], 5.0)
-    assert [at.speed for at in before] == [10.0, 20.0, 25.0, 25.0]
+    before, _, through, after = moments(Past(steps), [10.0, 20.0, 30.0], 5.0)
+    assert [at.speed for at in before] == [25.0, 25.0]
     assert before[-1] == Moment(25.0, False, -100.0)
     assert [at.force for at in through] == [-100.0] * 3
     assert [at.force for at in after[1]] == [-100.0, 0.0, 0.0, 5.0]
     assert [at.warm for at in after[1]] == [False, False, True, True]
 
 
-def test_a_history_leads_through_speeds_of_the_case_both_ways() -> None:
-    ways = [HistoryStep(speed=speed) for speed in (25.0, 15.0, 5.0)]
-    steps, speeds = (*ways, HistoryStep(run_up=True)), [10.0, 20.0, 30.0]
-    before, through, after = moments(Past(steps), speeds, 0.0)
-    assert [at.speed for at in before] == [10.0, 20.0, 25.0, 20.0, 15.0, 10.0, 5.0]
-    assert most_moments(Past(steps), speeds) == len(before) + len(through) + 2 * len(after)
+def test_ways_lead_through_speeds_of_their_own_up_and_down() -> None:
+    """Whatever the speeds of the case, to each of which a branch leads."""
+    ways = [HistoryStep(speed=speed) for speed in (25.0, 15.0)]
+    steps, speeds, between = (*ways, HistoryStep(run_up=True)), [4.0, 20.0, 31.0], [5.0, 10.0, 20.0]
+    before, passed, through, after = moments(Past(steps), speeds, 0.0, [*between, 30.0])
+    assert [at.speed for at in before] == [5.0, 10.0, 20.0, 25.0, 20.0, 15.0]
+    assert [[at.speed for at in way] for way in passed] == [[10.0, 5.0], [], [20.0, 30.0]]
+    assert [at.speed for at in through] == speeds
+    count = len(before) + sum(map(len, passed)) + len(through) + 2 * len(after)
+    assert count <= most_moments(Past(steps), len(speeds), [*between, 30.0]) <= count + 1
+
+
+def grinding(limit: float) -> Spindle:
+    return with_sleeve(case("grinding_spindle").spindle, "rear", friction=limit)
+
+
+TOP = 12000.0 * RPM
+STRAIGHT = Temperatures(shaft=(20.0, 45.0), housing=(20.0, 30.0), speeds=(0.0, TOP))
+PEAK = Temperatures(
+    shaft=(20.0, 50.0, 35.0), housing=(20.0, 30.0, 30.0), speeds=(0.0, 0.5 * TOP, TOP)
+)
+
+
+@pytest.mark.parametrize(
+    ("limit", "expected"),
+    [(60.0, (575.7, 733.5)), (200.0, (623.4, 806.2)), (400.0, (693.0, 912.2))],
+)
+def test_a_run_up_turns_where_temperatures_and_growth_do(
+    limit: float, expected: tuple[float, float]
+) -> None:
+    """Growth goes with Ω², heat with Ω: the sleeve slides one way at first, then the other. Against
+    loads of a and b by 17 steps of speed, each balanced by itself."""
+    law = case("grinding_spindle").conditions.law
+    state = operating_state(grinding(limit), np.array([TOP]), law, 0.0, STRAIGHT)
+    assert state.friction_force[0, 0] == pytest.approx(limit)
+    assert state.seat_load()[0, :2] == pytest.approx(expected, rel=2e-4)
+
+
+@pytest.mark.parametrize(("warm", "limit"), [(STRAIGHT, 200.0), (PEAK, 60.0)])
+def test_a_state_with_friction_does_not_hang_on_the_other_speeds_listed(
+    warm: Temperatures, limit: float
+) -> None:
+    """Whether the sleeve sticks there or slides: no listed speed is on the way to another."""
+    law, found = case("grinding_spindle").conditions.law, []
+    for speeds in ([0.75 * TOP], [0.1 * TOP, 0.4 * TOP, 0.75 * TOP, TOP]):
+        state = operating_state(grinding(limit), np.array(speeds), law, 0.0, warm)
+        row = speeds.index(0.75 * TOP)
+        found.append([*state.friction_force[row], *state.seat_load()[row]])
+    assert found[0] == pytest.approx(found[1], rel=1e-9)
+
+
+def test_a_step_of_a_spectrum_has_the_life_of_its_speed() -> None:
+    machine, conditions = grinding(400.0), Conditions(temperatures=STRAIGHT)
+    speed = np.array([0.25, 0.5, 0.75, 1.0]) * TOP
+    found = life_answer(
+        Scene(machine, conditions, speed), LifeSpec(spectrum=(LoadStep(share=1.0, speed=TOP),))
+    )
+    assert found.spectrum_life == pytest.approx(found.life[-1], rel=1e-9)
+
+
+def test_ways_at_constant_temperatures_are_straight() -> None:
+    """All goes with Ω² then: no more tables of bearings are needed."""
+    assert not passed_speeds(grinding(60.0), TOP, None).size
+    assert not passed_speeds(grinding(60.0), TOP, Temperatures(shaft=40.0)).size
+    passed = passed_speeds(grinding(60.0), TOP, PEAK)
+    assert 0.5 * TOP in passed
+    largest = max(seat.bearing.pitch_diameter for seat in grinding(60.0).seats)
+    assert np.diff(passed, prepend=0.0).max() * largest == pytest.approx(SPACING)
 
 
 def test_bearings_that_do_not_stay_alike_are_followed_apart() -> None:

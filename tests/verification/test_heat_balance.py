@@ -260,9 +260,12 @@ def rubbing() -> Spindle:
 
 @pytest.mark.few(1)
 @pytest.mark.parametrize("history", [(), (HistoryStep(warm=True), HistoryStep(speed=9e3 * RPM))])
-def test_the_way_to_a_speed_has_the_temperatures_of_its_speeds(history: Any) -> None:
+def test_the_way_to_a_speed_has_the_temperatures_of_its_speeds(
+    history: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Where friction remembers it, rest and speeds before are balanced whether a case names them or
     not."""
+    monkeypatch.setattr("rotordyn.preload.passed_speeds.SPACING", 20.0)  # quicker
     found = []
     for speeds in ([6e3, 12e3], [0.0, 6e3, 9e3, 12e3]):
         steps = (*history, HistoryStep(run_up=True)) if history else ()
@@ -274,6 +277,21 @@ def test_the_way_to_a_speed_has_the_temperatures_of_its_speeds(history: Any) -> 
         found.append((state.seat_load()[row], state.friction_force[row]))
     assert found[0][0] == pytest.approx(found[1][0], rel=1e-6)
     assert found[0][1] == pytest.approx(found[1][1], rel=1e-6)
+
+
+def test_the_way_to_a_speed_is_warmed_by_the_heat_on_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Between rest and that speed, whether a case names another one there or not."""
+    monkeypatch.setattr("rotordyn.preload.passed_speeds.SPACING", 10.0)  # quicker
+    found = []
+    flow, machine = replace(FLOW, shaft=35.0), grinding()
+    sleeves = tuple(replace(each, friction=200.0) for each in machine.sleeves)
+    for speeds in ([4e3], [2e3, 4e3]):
+        state = Scene(
+            replace(machine, sleeves=sleeves), Conditions(heat_flow=flow), np.array(speeds) * RPM
+        ).preload
+        assert np.abs(state.friction_force[-1]) < 190.0
+        found.append([*state.friction_force[-1], *state.seat_load()[-1]])
+    assert found[0] == pytest.approx(found[1], abs=0.5)
 
 
 def test_a_way_beyond_the_table_of_temperatures_is_refused() -> None:
