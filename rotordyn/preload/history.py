@@ -42,6 +42,7 @@ from rotordyn.state.rates import compliance, updated_contacts
 from rotordyn.state.rest import mounted_state
 
 SLIDING = 1e-9  # of the limit of friction: what is closer to it slides
+PARTS = 16  # of a way between temperatures: laws of rings that grow by µm are far from linear
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -183,7 +184,7 @@ def history(preload: PreloadState, reach: float) -> History:
     deflection = assembled.deflection(preload.mounted.position)[0].tolist()
     by_seat = preload.mounted_load().tolist()
     loads, models = zip(*((by_seat[b.seats[0]], b.model) for b in joined.bearings), strict=True)
-    bearings = zip(laws.at(0.0, warm=False)[0], models, loads, deflection, strict=True)
+    bearings = zip(laws.at(0.0, warm=0.0)[0], models, loads, deflection, strict=True)
     network = _network(preload, joined, np.array([deflection_of(*bearing) for bearing in bearings]))
 
     def load(at: Moment) -> Load:
@@ -193,8 +194,9 @@ def history(preload: PreloadState, reach: float) -> History:
         return Load(push, shift, gap, of_bearings)
 
     speeds, between = joined.speed.tolist(), _passed_speeds(preload).tolist()
-    before, passed, through, after = moments(past, speeds, preload.force, between)
-    start = Moment(0.0, False, 0.0)
+    parts = _parts(preload)
+    before, passed, through, after = moments(past, speeds, preload.force, between, parts)
+    start = Moment(0.0, 0.0, 0.0)
     laws.all_at([*before, *chain(*passed), *through, *chain(*after)])
     return History(
         network,
@@ -210,10 +212,11 @@ def history(preload: PreloadState, reach: float) -> History:
 
 
 class Moment(NamedTuple):
-    """Point of a history: speed [rad/s], whether at operating temperature, axial force [N]."""
+    """Point of a history: speed [rad/s], share of the way to operating temperature, axial force
+    [N]."""
 
     speed: float
-    warm: bool
+    warm: float
     force: float
 
 
@@ -228,17 +231,17 @@ class Moments(NamedTuple):
 
 
 def moments(
-    past: Past, speeds: Sequence[float], force: float, between: Sequence[float] = ()
+    past: Past, speeds: Sequence[float], force: float, between: Sequence[float] = (), parts: int = 1
 ) -> Moments:
     """Return the points of a history up to each of ``speeds``; its ways from speed to speed lead
-    through those ``between`` [rad/s], ascending.
+    through those ``between`` [rad/s], ascending, temperatures change in so many ``parts``.
 
     In the end every speed has its temperatures, and the axial ``force`` [N] on the shaft.
     """
-    current = Moment(0.0, False, past.weight)
+    current = Moment(0.0, 0.0, past.weight)
     before = [] if past.weight == 0.0 else [current]
     for step in past.before:
-        before += _changed(step, current, past.weight, between)
+        before += _changed(step, current, past.weight, between, parts)
         current = before[-1]
     passed: list[list[Moment]] = [[] for _ in speeds]
     rows, lower = range(len(speeds)), bisect_left(speeds, current.speed)
@@ -252,8 +255,8 @@ def moments(
     for passage in through:
         path = [passage]
         for step in past.after:
-            path += _changed(step, path[-1], past.weight, ())
-        path += [path[-1]._replace(warm=True), Moment(passage.speed, True, force)]
+            path += _changed(step, path[-1], past.weight, (), parts)
+        path += [*_warming(path[-1], 1.0, parts), Moment(passage.speed, 1.0, force)]
         after.append([path[0], *(b for a, b in pairwise(path) if a != b)])
     return Moments(before, passed, through, after)
 
@@ -262,6 +265,11 @@ def _passed_speeds(preload: PreloadState) -> Array:
     """Return the speeds that the ways of its history lead through."""
     top = max(*preload.speed.tolist(), *preload.past.speeds)
     return passed_speeds(preload.spindle, top, preload.temperatures)
+
+
+def _parts(preload: PreloadState) -> int:
+    """Return the number of parts in which its history changes temperatures."""
+    return 1 if preload.temperatures is None else PARTS
 
 
 def _all_speeds(preload: PreloadState) -> Array:
@@ -285,35 +293,47 @@ def _separated(preload: PreloadState) -> Arrangement:
 
 def _require_allowed(preload: PreloadState, bearings: int) -> None:
     """Raise TooCostly if load tables and steps of the history take more than is allowed."""
-    past, between = preload.past, _passed_speeds(preload).tolist()
-    steps = most_moments(past, len(preload.speed), between)
+    past, between, parts = preload.past, _passed_speeds(preload).tolist(), _parts(preload)
+    steps = most_moments(past, len(preload.speed), between, parts)
     laws = len(_all_speeds(preload)) * bearings
-    if preload.temperatures is not None and past.cold:
-        laws *= 2
+    if preload.temperatures is not None:
+        changed_at = len(preload.speed) if past.cold or past.after else 1
+        laws = laws * (2 if past.cold else 1) + changed_at * parts * bearings
     what = f"history: {steps} steps and {laws} load tables of bearings"
     require_history(what, laws, steps)
 
 
-def most_moments(past: Past, speeds: int, between: Sequence[float] = ()) -> int:
+def most_moments(past: Past, speeds: int, between: Sequence[float] = (), parts: int = 1) -> int:
     """Return an upper bound of the number of ``moments`` at so many ``speeds``."""
-    current, count = 0.0, 0
+    before, after = (
+        (parts - 1) * sum(step.warm is not None for step in steps)
+        for steps in (past.before, past.after)
+    )
+    current, count = 0.0, before
     for step in past.before:
         goal = current if step.speed is None else step.speed
         count += 1 + abs(bisect_left(between, goal) - bisect_left(between, current))
         current = goal
-    return count + len(between) + speeds * (len(past.after) + 3)
+    at_each = len(past.after) + after + 2 + (parts if past.cold or after else 1)
+    return count + len(between) + speeds * at_each
 
 
 def _changed(
-    step: HistoryStep, start: Moment, weight: float, between: Sequence[float]
+    step: HistoryStep, start: Moment, weight: float, between: Sequence[float], parts: int
 ) -> list[Moment]:
     """Return the points to which a step leads from ``start``."""
     if step.warm is not None:
-        return [start._replace(warm=step.warm)]
+        return _warming(start, float(step.warm), parts)
     if step.axial_force is not None:
         return [start._replace(force=weight + step.axial_force)]
     goal = start.speed if step.speed is None else step.speed
     return [*_way(start, goal, between), start._replace(speed=goal)]
+
+
+def _warming(start: Moment, goal: float, parts: int) -> list[Moment]:
+    """Return the points on the way from ``start`` to a share of the operating temperatures."""
+    shares = np.linspace(start.warm, goal, parts + 1)[1:] if start.warm != goal else [goal]
+    return [start._replace(warm=float(share)) for share in shares]
 
 
 def _way(start: Moment, goal: float, between: Sequence[float]) -> list[Moment]:
@@ -330,12 +350,12 @@ class BearingLaws:
     def __init__(self, preload: PreloadState, joined: Arrangement, most: float) -> None:
         self.preload, self.joined, self.most = preload, joined, most
         self.speeds = _all_speeds(preload)
-        self._arranged: dict[bool, Arrangement] = {}  # at all of these, warm or not
-        self._known: dict[tuple[float, bool], tuple[tuple[AxialLaw, ...], Array, float]] = {}
+        self._arranged: dict[float, Arrangement] = {}  # at all of these, cold and warm
+        self._known: dict[tuple[float, float], tuple[tuple[AxialLaw, ...], Array, float]] = {}
 
-    def at(self, speed: float, *, warm: bool) -> tuple[tuple[AxialLaw, ...], Array, float]:
+    def at(self, speed: float, *, warm: float) -> tuple[tuple[AxialLaw, ...], Array, float]:
         """Return laws, shifts (bearings,) [m] and that of the shaft at its supports [m], at a speed
-        [rad/s], at operating temperature or not."""
+        [rad/s], at a share ``warm`` of the way to operating temperature."""
         key = self._key(speed, warm)
         self._solve([key])
         return self._known[key]
@@ -344,11 +364,11 @@ class BearingLaws:
         """Solve the laws of all ``moments`` together, which is faster."""
         self._solve(dict.fromkeys(self._key(moment.speed, moment.warm) for moment in moments))
 
-    def _key(self, speed: float, warm: bool) -> tuple[float, bool]:
-        return speed, warm and self.preload.temperatures is not None
+    def _key(self, speed: float, warm: float) -> tuple[float, float]:
+        return speed, 0.0 if self.preload.temperatures is None else warm
 
-    def _solve(self, keys: Iterable[tuple[float, bool]]) -> None:
-        """Solve laws at those keys (speed, warm or not) that are new."""
+    def _solve(self, keys: Iterable[tuple[float, float]]) -> None:
+        """Solve laws at those keys (speed, share of warmth) that are new."""
         new = {key: self._bearings(*key) for key in keys if key not in self._known}
         flat = [bearing for bearings, _ in new.values() for bearing in bearings]
         speeds = [speed for (speed, _), (bearings, _) in new.items() for _ in bearings]
@@ -357,8 +377,12 @@ class BearingLaws:
             shift = np.array([bearing.shortening[0] for bearing in bearings])
             self._known[key] = tuple(next(tables) for _ in bearings), shift, at_supports
 
-    def _bearings(self, speed: float, warm: bool) -> tuple[list[AxialBearing], float]:
+    def _bearings(self, speed: float, warm: float) -> tuple[list[AxialBearing], float]:
         """Return the bearings at a speed, and the shift of the shaft at its supports [m]."""
+        if warm not in (0.0, 1.0):  # thermal growth is linear in the temperatures
+            (cold, cold_shift), (hot, hot_shift) = (self._bearings(speed, at) for at in (0.0, 1.0))
+            between = [_between(*pair, warm) for pair in zip(cold, hot, strict=True)]
+            return between, (1.0 - warm) * cold_shift + warm * hot_shift
         if warm not in self._arranged:
             state = self.preload
             conditions = state.law, state.temperatures if warm else None, state.films
@@ -369,6 +393,13 @@ class BearingLaws:
             at_speed.bearings[of_seat[bearing.seats[0]]] for bearing in self.joined.bearings
         ]
         return bearings, float(at_speed.support_shift[0])
+
+
+def _between(cold: AxialBearing, hot: AxialBearing, warm: float) -> AxialBearing:
+    """Return a bearing at a share of the way from one state to the other."""
+    growth = (1.0 - warm) * cold.growth + warm * hot.growth
+    shortening = (1.0 - warm) * cold.shortening + warm * hot.shortening
+    return replace(cold, growth=growth, shortening=shortening)
 
 
 def _network(preload: PreloadState, joined: Arrangement, deflection: Array) -> Network:

@@ -328,6 +328,32 @@ def test_a_state_with_friction_does_not_hang_on_the_other_speeds_listed(
     assert found[0] == pytest.approx(found[1], rel=1e-9)
 
 
+@pytest.mark.parametrize(("shaft", "housing"), [(25.0, 45.0), (45.0, 30.0), (30.0, 45.0)])
+def test_a_sleeve_sticks_through_a_change_of_temperature_that_friction_bears(
+    shaft: float, housing: float
+) -> None:
+    """Its friction is then that of a sleeve that cannot slide. A limit a little above the largest
+    on the way, as at four temperatures on it, changes nothing."""
+    law = case("grinding_spindle").conditions.law
+
+    def friction(limit: float, share: float = 1.0) -> float:
+        warm = Temperatures(*(20.0 + share * (at - 20.0) for at in (shaft, housing)))
+        state = operating_state(grinding(limit), REST, law, 0.0, warm)
+        return float(state.friction_force[0, 0])
+
+    stuck = [friction(5000.0, share) for share in (0.25, 0.5, 0.75, 1.0)]
+    limit = 1.1 * max(map(abs, stuck)) + 5.0
+    assert friction(limit) == pytest.approx(stuck[-1], abs=1e-3)
+
+
+def test_changes_of_temperature_have_parts() -> None:
+    steps = HistoryStep(warm=True), HistoryStep(run_up=True), HistoryStep(warm=False)
+    before, _, _, after = moments(Past(steps), [10.0], 0.0, (), 4)
+    assert [at.warm for at in before] == [0.25, 0.5, 0.75, 1.0]
+    assert [at.warm for at in after[0]] == [1.0, 0.75, 0.5, 0.25, 0.0, 0.25, 0.5, 0.75, 1.0]
+    assert len(before) + 1 + len(after[0]) <= most_moments(Past(steps), 1, (), 4)
+
+
 def test_a_step_of_a_spectrum_has_the_life_of_its_speed() -> None:
     machine, conditions = grinding(400.0), Conditions(temperatures=STRAIGHT)
     speed = np.array([0.25, 0.5, 0.75, 1.0]) * TOP
