@@ -12,6 +12,7 @@ import math
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 from itertools import chain, groupby, pairwise
 from typing import NamedTuple
 
@@ -75,11 +76,15 @@ class History:
         # upward from the speed of the last step before, and downward from it: two separate paths
         for route in (rows[self.lower :], rows[: self.lower][::-1]):
             state, load = initial, path[-1]
+            reached: dict[int, State | str] = {}  # by the load there, as a speed of the case
             for row in route:
-                way = load, *self.passed[row]
-                state, load = self._followed(state, way), way[-1]
-                # a branch of its own: the state at a speed does not depend on the other ones
-                ends[row] = self._followed(state, (load, self.through[row], *self.after[row]))
+                for point in self.passed[row]:
+                    state = reached.get(id(point)) or self._followed(state, (load, point))
+                    load = point
+                # a branch of its own: the way goes on from the point passed last
+                there = self._followed(state, (load, self.through[row]))
+                reached[id(self.through[row])] = there
+                ends[row] = self._followed(there, (self.through[row], *self.after[row]))
         return ends
 
     def _followed(self, state: State | str, path: Sequence[Load]) -> State | str:
@@ -187,6 +192,7 @@ def history(preload: PreloadState, reach: float) -> History:
     bearings = zip(laws.at(0.0, warm=0.0)[0], models, loads, deflection, strict=True)
     network = _network(preload, joined, np.array([deflection_of(*bearing) for bearing in bearings]))
 
+    @cache  # one load for each moment
     def load(at: Moment) -> Load:
         push, gap = np.zeros((2, len(joined.bodies)))
         of_bearings, shift, at_supports = laws.at(at.speed, warm=at.warm)
@@ -248,7 +254,8 @@ def moments(
     for route in (rows[lower:], rows[:lower][::-1]):
         last = current
         for row in route:
-            passed[row] = _way(last, speeds[row], between)
+            # where no way turns, those of the case are as good, and are solved anyway
+            passed[row] = _way(last, speeds[row], between or speeds)
             last = [last, *passed[row]][-1]
     through = [current._replace(speed=speed) for speed in speeds]
     after = []

@@ -319,7 +319,7 @@ def test_a_run_up_turns_where_temperatures_and_growth_do(
 def test_a_state_with_friction_does_not_hang_on_the_other_speeds_listed(
     warm: Temperatures, limit: float
 ) -> None:
-    """Whether the sleeve sticks there or slides: no listed speed is on the way to another."""
+    """Whether the sleeve sticks there or slides."""
     law, found = case("grinding_spindle").conditions.law, []
     for speeds in ([0.75 * TOP], [0.1 * TOP, 0.4 * TOP, 0.75 * TOP, TOP]):
         state = operating_state(grinding(limit), np.array(speeds), law, 0.0, warm)
