@@ -35,10 +35,11 @@ class StabilityLobesResult:
     by the lesser of it and the limit. ``at_rest``: limit by the receptance of the machine at rest;
     ``even``: limit of as many evenly spaced teeth, NaN where the teeth are evenly spaced;
     ``measured``: limit of the tool on the measured spindle, NaN without one, with its
-    ``measured_chatter``; above ``measured_to``, its last frequency, limit and chatter are those of
-    the machine as computed at rest, which is lower there. ``least``, ``most``: over the intervals
-    of the case and all sources of the cutting coefficients. ``source``: sources
-    of a workpiece, that of the limits first; none where the case gives coefficients itself.
+    ``measured_chatter`` and ``measured_doubt``, what makes its tip doubtful; above ``measured_to``,
+    its last frequency, limit and chatter are those of the machine as computed at rest, which is
+    lower there. ``least``, ``most``: over the intervals of the case and all sources of the cutting
+    coefficients. ``source``: sources of a workpiece, that of the limits first; none where the case
+    gives coefficients itself.
     ``planned_depth``: of the planned cut, with its feed by tooth, at ``milling_speed``: the speeds
     of the cutter, none without such a cut; where it is stable it has the error of every ``wall``
     that it leaves, least and largest over its depth, of the deepest tooth, positive where material
@@ -149,6 +150,7 @@ class StabilityLobesResult:
         label="chatter frequency on the measured spindle",
         absent=(NO_TEST, ANY_DEPTH),
     )
+    measured_doubt: str = quantity(unit="", label="what makes the tip on it doubtful")
     measured_to: float = quantity(
         unit="Hz", label="frequency up to which the spindle is measured", absent=(NO_TEST,)
     )

@@ -62,7 +62,7 @@ def solve(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
     even = np.full(len(usable), np.nan)
     if spec.uneven:
         even = _depths(limits.of(replace(operations[0], spec=replace(spec, pitch=()))))
-    measured, measured_to = _on_measured(scene, spec, operations[0], usable, at_rest)
+    measured, measured_to, doubt = _on_measured(scene, spec, operations[0], usable, at_rest)
     doubling = flips(limits, operations[0])
 
     place = np.searchsorted(speeds, usable)
@@ -105,6 +105,7 @@ def solve(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
         measured=_spread(place, len(speeds), _depths(measured)),
         measured_chatter=_spread(place, len(speeds), _frequencies(measured)),
         measured_to=measured_to,
+        measured_doubt=doubt,
         least=_spread(place, len(speeds), limits_of_band[0]),
         most=_spread(place, len(speeds), limits_of_band[1]),
         workpiece_mode=np.arange(1, len(spec.workpiece_modes) + 1),
@@ -146,17 +147,19 @@ def _on_measured(
     operation: Operation,
     speed: Array,
     at_rest: list[Limit],
-) -> tuple[list[Limit], float]:
-    """Return limits of the tool on the measured spindle and its last frequency [Hz], NaN without a
-    measurement."""
+) -> tuple[list[Limit], float, str]:
+    """Return limits of the tool on the measured spindle, its last frequency [Hz], and what makes
+    its tip doubtful; NaN without a measurement."""
     if spec.measured_spindle is None:
-        return [Limit(math.nan, math.nan, NONE)] * len(speed), math.nan
+        return [Limit(math.nan, math.nan, NONE)] * len(speed), math.nan, ""
     machine = OnMeasured(spec.measured_spindle, scene.spindle)
     rows = np.zeros(len(speed), dtype=np.intp)
     tip = MeasuredTip(machine, _feed(spec), of_workpiece(spec.workpiece_modes))
     limits = Limits(tip, rows, speed, scene.progress).of(operation)
     last = float(machine.omega[-1]) / (2.0 * math.pi)
-    return [*map(partial(_bounded, last), limits, at_rest)], last
+    doubts = ((plane, machine.doubt(plane)) for plane in machine.fits)
+    doubt = "; ".join(f"in {plane} {sentence}" for plane, sentence in doubts if sentence)
+    return [*map(partial(_bounded, last), limits, at_rest)], last, doubt
 
 
 def _bounded(last: float, measured: Limit, at_rest: Limit) -> Limit:

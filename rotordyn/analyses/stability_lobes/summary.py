@@ -294,6 +294,8 @@ def warnings(result: StabilityLobesResult) -> list[str]:
             f"vibration that repeats with the pattern of teeth limits {folds.size} of "
             f"{len(result.depth)} speeds, first at {rpm} rpm: zero-order limits do not see it"
         )
+    if result.measured_doubt:
+        sentences.append(f"stability_lobes: on the measured spindle {result.measured_doubt}")
     for part in (_beyond_measurement, _skipped, _flips, planned_summary.warnings):
         sentences += part(result)
     if result.error > result.error_asked:

@@ -175,6 +175,78 @@ def test_error_by_noise(tested):
     assert "uncertain by" in " ".join(result.summary.split())
 
 
+OMEGA = 2.0 * np.pi * np.arange(60.0, 4001.0, 10.0)
+
+
+def on(folder, given):
+    """The tool on a measured spindle."""
+    loaded = case(folder, frf(given))
+    return OnMeasured(loaded.analyses["frf"].measured_spindle, loaded.spindle)
+
+
+def test_the_floor_of_an_accelerometer_does_not_hide_the_spindle(tested):
+    """0.1 % of the peak inertance, which is more than the receptance below 100 Hz: the tip is near
+    to that of exact responses, by as much as is said."""
+
+    def with_floor(values):
+        square = OMEGA[:, None] ** 2
+        floor = 1e-3 * np.abs(values * square).max(axis=0) / square
+        noise = [unit_noise(seed, values.T.shape).T for seed in (5, 6)]
+        return values + floor * noise[0] + 3e-3 * np.abs(values) * noise[1]
+
+    given = turned(tested, "floor.csv", of=with_floor, source="exact_noisy.csv")
+    machine, exact = on(tested, given), on(tested, measured(more="modes: 6, "))
+    tip, known = machine.tip("y", OMEGA), exact.tip("y", OMEGA)
+    off = np.linalg.norm(tip - known) / np.linalg.norm(known)
+    said = np.linalg.norm(machine.error("y", OMEGA)) / np.linalg.norm(tip)
+    assert off < 0.05
+    assert 0.3 < said / off < 3.0
+    assert not machine.doubt("y")
+
+
+def test_errors_of_calibration_are_those_of_changed_gains_and_phases(tested):
+    """Of one response after the other, by 0.01 % and by 0.1 mrad."""
+    same = on(tested, measured("exact_noisy.csv", more="modes: 6, "))
+    tip = same.tip("y", OMEGA)
+    for error in (1e-4, 1e-4j):
+        square = np.zeros(len(OMEGA))
+        for k in range(3):
+            values = same.fits["y"](OMEGA)
+            values[:, k] *= 1.0 + error
+            square += np.abs(same._tip(values, *same._parts(OMEGA)) - tip) ** 2
+        change = np.sqrt(square) / abs(error)
+        np.testing.assert_allclose(same.calibration("y", OMEGA) / change, 1.0, atol=0.1)
+
+
+@pytest.mark.parametrize("delay", [0.0, 2e-5])
+def test_a_tip_of_no_passive_structure_is_warned_of(tested, delay):
+    """By channels whose delay of 20 µs differs from that of the force; their noise is small."""
+    given = turned(
+        tested,
+        "late.csv",
+        of=lambda h: h * np.exp(-1j * delay * OMEGA)[:, None],
+        source="exact_noisy.csv",
+    )
+    given = given.replace("{", "{modes: 6, ", 1)
+    results = rotordyn.run(case(tested, frf(given)))
+    warned = "the tip is that of no passive structure" in " ".join(results.summary.split())
+    assert warned == (delay > 0.0)
+
+
+@pytest.mark.parametrize("way", ["y", "z"])
+def test_errors_of_the_peaks_of_the_tip_are_those_of_noise(tested, way):
+    """A mode fitted to the smooth tip left errors far below what noise does to its peaks."""
+    noisy, exact = (
+        rotordyn.run(case(tested, frf(given, way)))["frf"]
+        for given in (measured("noisy.csv"), measured(more="modes: 6, "))
+    )
+    said = noisy.measured_peak_error.values[0]
+    off = noisy.measured_peak_amplitude.values[0] / exact.measured_peak_amplitude.values[0] - 1.0
+    known = np.isfinite(off)
+    assert known.sum() >= 2
+    assert 0.3 < np.linalg.norm(said[known]) / np.linalg.norm(off[known]) < 3.0
+
+
 def test_peaks_of_the_tip_are_found_between_the_frequencies_of_the_measurement(tested):
     """With exact responses those of the machine itself."""
     result = rotordyn.run(case(tested, frf(measured(more="modes: 6, "))))["frf"]

@@ -1209,6 +1209,7 @@ def test_a_limit_that_only_a_finer_model_has_is_told():
         flip_depth=np.full(1, np.nan),
         measured_chatter=np.full(1, np.nan),
         measured_to=math.nan,
+        measured_doubt="",
         cut_is_stable=np.zeros(0),
     )
     assert accuracy(result) == ["limits not known by modes up to 4000 Hz"]
