@@ -54,8 +54,8 @@ class ModalFit:
         return self.fit(omega).reshape(len(omega), *self.shape)
 
     def carried(self, omega: Array, share: Complex) -> Array:
-        """Standard deviation (f,) of the modulus of Σ ``share`` (f, e) × entries at angular
-        frequencies (f,), from the noise of the samples."""
+        """Standard deviations (f, 2) of real and imaginary part of Σ ``share`` (f, e) × entries at
+        angular frequencies (f,), from the noise of the samples."""
         return carried(self.fit, self.omega, np.sqrt(2.0) / self.deviation, omega, share)
 
 

@@ -100,7 +100,15 @@ class OnMeasured:
         The noise is what the modes leave, independent in every sample; poles and residues fitted
         to all of them carry it to the tip, by derivatives.
         """
-        return self.fits[way].carried(omega, self._derivative(way, omega))
+        carried = self.fits[way].carried(omega, self._derivative(way, omega))
+        return np.asarray(np.linalg.norm(carried, axis=1))
+
+    def amplitude_error(self, way: str, omega: Array) -> Array:
+        """Standard deviation of the amplitude of ``tip`` from the same noise, over it (f,): of the
+        part of the error that is in phase with the tip."""
+        tip = self.tip(way, omega)
+        share = self._derivative(way, omega) / tip[:, None]
+        return self.fits[way].carried(omega, share)[:, 0]
 
     def calibration(self, way: str, omega: Array) -> Array:
         """Change of ``tip`` (f,) [m/N] over the relative error of gain, or of phase [rad], of every

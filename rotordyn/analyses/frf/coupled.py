@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import replace
-from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -25,8 +24,8 @@ ROUNDS, TRIED = 2, 41  # frequencies tried around each peak, and once more aroun
 
 class TipError(NamedTuple):
     """What makes a coupled tip uncertain: ``noise`` over its size, ``calibration``: its relative
-    error over that of every response, a sentence of ``doubt``; ``at``: its standard deviation by
-    noise over its size at frequencies (n,) [Hz]."""
+    error over that of every response, a sentence of ``doubt``; ``at``: the standard deviation of
+    its amplitude by noise, over it, at frequencies (n,) [Hz]."""
 
     noise: float
     calibration: float
@@ -58,12 +57,11 @@ def _error(machine: OnMeasured, plane: str, hertz: Array) -> TipError:
         float(np.linalg.norm(of(plane, omega)) / size)
         for of in (machine.error, machine.calibration)
     )
-    return TipError(noise, calibration, machine.doubt(plane), partial(_relative, machine, plane))
 
+    def at(hertz: Array) -> Array:
+        return machine.amplitude_error(plane, 2.0 * math.pi * hertz)
 
-def _relative(machine: OnMeasured, plane: str, hertz: Array) -> Array:
-    omega = 2.0 * math.pi * hertz
-    return np.asarray(machine.error(plane, omega) / np.abs(machine.tip(plane, omega)))
+    return TipError(noise, calibration, machine.doubt(plane), at)
 
 
 def _coupled(

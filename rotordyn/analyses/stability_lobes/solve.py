@@ -155,10 +155,15 @@ def _on_measured(
     machine = OnMeasured(spec.measured_spindle, scene.spindle)
     rows = np.zeros(len(speed), dtype=np.intp)
     tip = MeasuredTip(machine, _feed(spec), of_workpiece(spec.workpiece_modes))
-    limits = Limits(tip, rows, speed, scene.progress).of(operation)
-    last = float(machine.omega[-1]) / (2.0 * math.pi)
     doubts = ((plane, machine.doubt(plane)) for plane in machine.fits)
     doubt = "; ".join(f"in {plane} {sentence}" for plane, sentence in doubts if sentence)
+    try:
+        limits = Limits(tip, rows, speed, scene.progress).of(operation)
+    except InvalidInput as error:
+        if not doubt:
+            raise
+        raise InvalidInput(f"{error}; {doubt}") from None
+    last = float(machine.omega[-1]) / (2.0 * math.pi)
     return [*map(partial(_bounded, last), limits, at_rest)], last, doubt
 
 
