@@ -13,7 +13,7 @@ from typing import Annotated, Any
 
 from bearings.bearing import BallBearing
 from bearings.kinds import DEFAULT, KINDS, kind_class
-from bearings.materials import STEEL, Material
+from bearings.materials import Material
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.measured_response import MeasuredResponse, Port
 from rotordyn.analyses.stability_lobes.workpiece import Workpiece
@@ -255,7 +255,9 @@ class _Elastic:
     density: Annotated[
         float, Quantity("density", at_least="100 kg/m^3", at_most="30000 kg/m^3"), "ρ"
     ]
-    thermal_expansion: Annotated[ThermalExpansion, "linear, α"] = STEEL.thermal_expansion
+    thermal_expansion: Annotated[
+        ThermalExpansion | None, "linear, α; by default that of steel, 1.15e-5 1/K"
+    ] = None
 
 
 @dataclass

@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
-from bearings.materials import STEEL
 from rotordyn.description import Description, Faults, Path, ascending
 from rotordyn.machine.support import beside
 from rotordyn.quantity import Name, Speed, Temperature, ThermalExpansion
@@ -19,6 +18,11 @@ if TYPE_CHECKING:
 
 MEASURED = 20.0  # °C, at which lengths are measured (ISO 1)
 Values = Temperature | tuple[Temperature, ...]
+HousingExpansion = Annotated[
+    ThermalExpansion | None,
+    "of the housing along the axis; by default that of the `housing_material` of the fits, where "
+    "that is the same for all bearings, else that of steel",
+]
 OF_BEARING = ("inner_ring", "outer_ring", "balls")
 
 
@@ -60,9 +64,7 @@ class Temperatures(Description):
     reference: Annotated[
         Temperature, "at which the spindle is assembled: fits and preloads are of it"
     ] = MEASURED
-    housing_expansion: Annotated[
-        ThermalExpansion, "of the housing along the axis; by default that of steel"
-    ] = STEEL.thermal_expansion
+    housing_expansion: HousingExpansion = None
 
     def _faults(self) -> Faults:
         yield from ascending("speeds", self.speeds)

@@ -178,7 +178,7 @@ def _cylinder(inner: float, outer: float, material: Material, rise: float) -> Cy
     """Return a body ``rise`` [K] warmer than at assembly."""
     from bearings.fit.compound import Cylinder
 
-    alpha = material.thermal_expansion
+    alpha = material.expansion
     return Cylinder(inner, outer, material, rise if alpha else 0.0, alpha)
 
 

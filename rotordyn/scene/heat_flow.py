@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated
 
 from rotordyn.description import Description, Faults
+from rotordyn.machine.temperatures import HousingExpansion
 from rotordyn.quantity import Choice, CoolTemperature, Key, ThermalConductance
 from rotordyn.scene.lubrication import Lubrication
 
@@ -94,6 +95,7 @@ class SpindleHeatFlow(HeatFlow):
     """Conductances from every bearing of a spindle to what is around it, with its lubricant."""
 
     lubricant: Annotated[Lubrication | None, Key(required=True), "of the bearings"] = None
+    housing_expansion: HousingExpansion = None
 
     @property
     def flow(self) -> Flow:
@@ -104,7 +106,14 @@ class SpindleHeatFlow(HeatFlow):
         lubricant = self.lubricant
         assert lubricant is not None
         factor = OIL_FACTORS[lubricant.supply]
-        return Flow(lubricant.oil, self.conductances, self.surroundings, lubricant.friction, factor)
+        return Flow(
+            lubricant.oil,
+            self.conductances,
+            self.surroundings,
+            lubricant.friction,
+            factor,
+            self.housing_expansion,
+        )
 
 
 @dataclass(frozen=True, slots=True)

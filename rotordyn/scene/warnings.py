@@ -21,18 +21,18 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.station import SLACK
 from rotordyn.preload.growth import released_fits
 from rotordyn.preload.ring_stress import YIELD, ring_stress
-from rotordyn.preload.unshortened import shortening_load
 from rotordyn.results.balls import gripping, no_film, preloaded, pressed, slipping
 from rotordyn.results.display import RPM, number
 from rotordyn.results.text import which_of
+from rotordyn.scene.expansions import expansion_warnings
+from rotordyn.scene.missing_shifts import missing_shifts
 from rotordyn.scene.stability import instability
 
 if TYPE_CHECKING:
     from rotordyn.scene.scene import Scene
 
 PRESSED = 1e-3  # N: a stop that friction holds a sleeve at carries less by rounding
-FILMS_RULE = SHORTENING_RULE = 0.1  # of the axial load of a bearing
-UNFELT = 10.0  # N, of a bearing along its axis
+FILMS_RULE = 0.1  # of the axial load of a bearing
 GUIDE_RULE = 0.1  # of the stiffness of a ball guide
 
 
@@ -48,6 +48,7 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
             f"the ring grows without the {on}; raise its interference"
         )
     yield from _yielding_rings(scene)
+    yield from expansion_warnings(scene.spindle, scene.conditions)
     if scene.conditions.heat_flow is not None:
         yield from scene.conditions.heat_flow.guesses()
     if scene.conditions.history and not scene.spindle.rubs:
@@ -58,7 +59,7 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
     if "preload" in scene.solved:
         yield from bearing_warnings(scene)
         yield from _films_rule(scene)
-        yield from _missing_shortening(scene)
+        yield from missing_shifts(scene)
         yield from _guides(scene)
     for support in scene.spindle.supports:
         yield from support.held_at(scene.speed)
@@ -218,22 +219,6 @@ def _films_rule(scene: Scene) -> Iterator[str]:
                 f"{film_load[row]:.0f} N at {state.speed[row] * RPM.factor:.0f} rpm; they are "
                 "fully flooded ones, and starved ones do less"
             )
-
-
-def _missing_shortening(scene: Scene) -> Iterator[str]:
-    """Warn where a missing centrifugal shortening would change axial loads by more than a tenth."""
-    state, rows = scene.preload, np.flatnonzero(scene.preload.usable)
-    if scene.spindle.shortening is not None or not rows.size or not scene.spindle.seats:
-        return
-    added, load = shortening_load(state, rows[-1]), state.seat_load()[rows[-1]]
-    worst = int(np.abs(added).argmax())
-    if abs(added[worst]) > max(SHORTENING_RULE * np.abs(load).max(), UNFELT):
-        yield (
-            "no centrifugal shortening of the shaft is given; computed from its sections it adds "
-            f"about {added[worst]:.0f} N to the {load[worst]:.0f} N of axial load of bearing "
-            f"{scene.spindle.seats[worst].name} at {state.speed[rows[-1]] * RPM.factor:.0f} rpm: "
-            "give shortening with shift: computed"
-        )
 
 
 def _guides(scene: Scene) -> Iterator[str]:
