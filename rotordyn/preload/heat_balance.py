@@ -158,6 +158,19 @@ def contact_heat(state: PreloadState, flow: Flow) -> tuple[Array, Flags]:
     return np.where(usable[:, None, None], np.nan_to_num(heat), 0.0), usable
 
 
+def spindle_heat(state: PreloadState, flow: Flow) -> Array:
+    """Return the heat of contacts and oil of every bearing at the temperatures of a state
+    (speeds, bearings) [W]."""
+    seats, speed, temperatures = state.spindle.seats, state.speed, state.temperatures
+    celsius = np.full((len(speed), len(seats), 3), MEASURED)
+    if temperatures is not None:
+        for k, seat in enumerate(seats):
+            celsius[:, k, 0] = temperatures.reference + temperatures.rises(seat.name, speed).balls
+    pitches = np.array([seat.bearing.pitch_diameter for seat in seats])
+    contacts, _ = contact_heat(state, flow)
+    return with_oil(contacts, celsius, pitches, speed, flow).sum(axis=-1)
+
+
 def _temperatures(contacts: Array, pitches: Array, speed: Array, flow: Flow) -> Array:
     """Return temperatures in balance with the heat of contacts and oil (speeds, bearings, 3)."""
 

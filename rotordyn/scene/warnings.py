@@ -20,6 +20,7 @@ from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.station import SLACK
 from rotordyn.preload.growth import released_fits
+from rotordyn.preload.heat_balance import spindle_heat
 from rotordyn.preload.ring_stress import YIELD, ring_stress
 from rotordyn.results.balls import gripping, no_film, preloaded, pressed, slipping
 from rotordyn.results.display import RPM, number
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
 
 PRESSED = 1e-3  # N: a stop that friction holds a sleeve at carries less by rounding
 FILMS_RULE = 0.1  # of the axial load of a bearing
+HEAT_RULE, WEAK = 0.1, 10.0  # of the heat of a bearing, and what counts as little of it [W]
 GUIDE_RULE = 0.1  # of the stiffness of a ball guide
 
 
@@ -59,6 +61,7 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
     if "preload" in scene.solved:
         yield from bearing_warnings(scene)
         yield from _films_rule(scene)
+        yield from _heat_across(scene)
         yield from missing_shifts(scene)
         yield from _guides(scene)
     for support in scene.spindle.supports:
@@ -195,6 +198,27 @@ def _yielding_rings(scene: Scene) -> Iterator[str]:
                 f"{scene.bearing_speed[row] * RPM.factor:.0f} rpm, allowed {YIELD / 1e6:g}; lower "
                 "the interference"
             )
+
+
+def _heat_across(scene: Scene) -> Iterator[str]:
+    """Warn of the bearing whose heat loads across the axis change most, where this is more than a
+    tenth: temperatures do not follow it."""
+    if not scene.loaded or scene.temperatures is scene.conditions.temperatures:
+        return
+    heat_flow = scene.conditions.heat_flow
+    assert heat_flow is not None
+    without, under = (spindle_heat(s, heat_flow.flow) for s in (scene.unloaded, scene.preload))
+    change = np.where(scene.preload.usable[:, None], np.abs(under - without), 0.0)
+    share = change / np.fmax(without, WEAK)
+    row, k = (int(place) for place in np.unravel_index(int(share.argmax()), share.shape))
+    if share[row, k] > HEAT_RULE:
+        yield (
+            f"bearing {scene.spindle.seats[k].name}: loads across the axis change its heat from "
+            f"{without[row, k]:.0f} to {under[row, k]:.0f} W at "
+            f"{scene.preload.speed[row] * RPM.factor:.0f} rpm; its temperatures by heat_flow, and "
+            f"the preload at them, are those of the {without[row, k]:.0f} W: give temperatures "
+            "under these loads instead"
+        )
 
 
 def _films_rule(scene: Scene) -> Iterator[str]:
