@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
+from bearings.bearing import BallBearing
 from bearings.materials import STEEL, Material
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.housing_expansion import expansions_in_fits
@@ -18,8 +19,14 @@ def expansion_warnings(spindle: Spindle, conditions: Conditions) -> Iterator[str
     thermal = conditions.temperatures or conditions.heat_flow
     if thermal is None or not spindle.seats:
         return
+    yield from unknown_expansions(_materials(spindle))
+    yield from _two_housings(expansions_in_fits(spindle), thermal.housing_expansion)
+
+
+def unknown_expansions(materials: Iterable[tuple[str, Material]]) -> Iterator[str]:
+    """Yield a warning of each of the ``materials`` of named parts whose α is not given."""
     unknown: dict[str, list[str]] = {}
-    for part, material in _materials(spindle):
+    for part, material in materials:
         if material.thermal_expansion is None:
             parts = unknown.setdefault(material.name, [])
             parts += [part] * (part not in parts)
@@ -28,7 +35,6 @@ def expansion_warnings(spindle: Spindle, conditions: Conditions) -> Iterator[str
             f"{' and '.join(parts)} of {name}: this material has no thermal_expansion and is taken "
             f"to expand as steel, {STEEL.expansion:.3g} 1/K; give it"
         )
-    yield from _two_housings(expansions_in_fits(spindle), thermal.housing_expansion)
 
 
 def _materials(spindle: Spindle) -> Iterator[tuple[str, Material]]:
@@ -39,10 +45,14 @@ def _materials(spindle: Spindle) -> Iterator[tuple[str, Material]]:
         if left <= max(stations) and right >= min(stations):
             yield "shaft", section.material
     for seat in spindle.seats:
-        yield "rings", seat.bearing.ring_material
-        yield "balls", seat.bearing.ball_material
+        yield from of_bearing(seat.bearing)
         if seat.fits is not None and seat.fits.housing:
             yield "housing", seat.fits.housing_material
+
+
+def of_bearing(bearing: BallBearing) -> tuple[tuple[str, Material], ...]:
+    """Return the materials of rings and balls."""
+    return ("rings", bearing.ring_material), ("balls", bearing.ball_material)
 
 
 def _two_housings(in_fits: dict[str, float], given: float | None) -> Iterator[str]:

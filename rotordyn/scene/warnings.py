@@ -20,7 +20,6 @@ from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.station import SLACK
 from rotordyn.preload.growth import released_fits
-from rotordyn.preload.heat_balance import spindle_heat
 from rotordyn.preload.ring_stress import YIELD, ring_stress
 from rotordyn.results.balls import gripping, no_film, preloaded, pressed, slipping
 from rotordyn.results.display import RPM, number
@@ -207,6 +206,8 @@ def _heat_across(scene: Scene) -> Iterator[str]:
         return
     heat_flow = scene.conditions.heat_flow
     assert heat_flow is not None
+    from rotordyn.preload.heat_balance import spindle_heat  # heat of balls, for these alone
+
     without, under = (spindle_heat(s, heat_flow.flow) for s in (scene.unloaded, scene.preload))
     change = np.where(scene.preload.usable[:, None], np.abs(under - without), 0.0)
     share = change / np.fmax(without, WEAK)
