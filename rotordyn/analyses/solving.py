@@ -30,7 +30,7 @@ Progress = Callable[[str], None]
 
 
 @dataclass(frozen=True, slots=True)
-class Answers:
+class MachineResults:
     """Results by analysis name; seconds by stage, and its first caller (``asked``); residuals where
     errors are estimated.
 
@@ -59,7 +59,7 @@ def solve_spindle(
     progress: Progress,
     memo: Memo | None = None,
     checks: Checks | None = None,
-) -> Answers:
+) -> MachineResults:
     """Solve ``analyses`` for a spindle at ``speeds`` [rad/s]; shared stages are solved once.
 
     ``memo``: stages of similar machines, reused where their inputs are the same; ``checks``:
@@ -94,7 +94,7 @@ def solve_spindle(
         if not all(analysis(name).unsteady for name in analyses):
             scene.require_solution()
         results, stop = _solved_in_turn(analyses, solve, progress)
-        return Answers(
+        return MachineResults(
             results,
             seconds=scene.clock.seconds,
             asked=scene.clock.asked,
@@ -134,7 +134,7 @@ def solve_bearing(
     speeds: tuple[float, ...],
     analyses: Mapping[str, Spec],
     progress: Progress,
-) -> Answers:
+) -> MachineResults:
     """Solve ``analyses`` for a single bearing at ``speeds`` [rad/s]."""
     seconds: dict[str, float] = {}
 
@@ -147,7 +147,7 @@ def solve_bearing(
 
     results, stop = _solved_in_turn(analyses, solve, progress)
     flows = [flow for spec in analyses.values() for flow in spec.heat_flows]
-    return Answers(
+    return MachineResults(
         results,
         seconds,
         dict.fromkeys(seconds, ""),

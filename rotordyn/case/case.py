@@ -38,14 +38,14 @@ class Case(Description):
     made to them; ``sources``: of each that says so, its title and where its values come from: cases
     that differ in these alone are equal.
     ``variants``: other cases with the same speeds and analyses, by name; where there
-    are any, they are answered side by side, and the case itself is not. ``tool``: what of
+    are any, they are solved side by side, and the case itself is not. ``tool``: what of
     ``spindle`` is the tool in its nose.
     """
 
     name: Annotated[str, HIDDEN]
     title: Annotated[str, Key(default=""), "one line, shown in summary and figures"]
     speeds: Annotated[
-        tuple[Speed, ...], Items(), Sweep(), "every speed at which the analyses are answered"
+        tuple[Speed, ...], Items(), Sweep(), "every speed at which the analyses are solved"
     ]
     analyses: Annotated[
         Mapping[Name, Spec],

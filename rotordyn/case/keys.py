@@ -143,7 +143,7 @@ class _Case:
     ] = field(default_factory=dict)
     compare: Annotated[
         Mapping[Name, Variant],
-        "name of a variant -> what it changes; the variants are answered side by side",
+        "name of a variant -> what it changes; the variants are solved side by side",
     ] = field(default_factory=dict)
 
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 RING = [position(way) for way in BEARING_DIRECTIONS]
 PHASES = np.exp(0.25j * np.pi * np.arange(8))  # of an orbit at which loads are compared
 SEEN = 1e-4  # of the load in the preload state: smaller changes are not compared
-TOLD = 0.25  # of the load that the tangent adds
+REPORTED = 0.25  # of the load that the tangent adds
 FAR = 0.1  # m: no machine moves so far
 SMALL = 0.1  # rad: of such an inclination 1 − cos is half a percent, of the curvature 1.5 percent
 LINEAR = Absence(
@@ -95,12 +95,12 @@ def beyond_tangents(
     reported = [
         f"{name} by {100.0 * share:.0f} %" if np.isfinite(share) else f"{name} loses any state"
         for name, share in zip(names, worst, strict=True)
-        if share > TOLD
+        if share > REPORTED
     ]
     if reported:
         where = ""
         if speed is not None:
-            beyond = (np.nan_to_num(apart, posinf=np.inf) > TOLD).any(axis=1)
+            beyond = (np.nan_to_num(apart, posinf=np.inf) > REPORTED).any(axis=1)
             where = f", first at {number(float(speed[beyond.argmax()]) * RPM.factor, 0)} rpm"
         yield (
             f"{what}: bearings are moved so far that their loads depart from those of their "
