@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from rotordyn.scene.checks import Checks
     from rotordyn.scene.stage import Memo
 
-UNASKED_BAND = 1000.0  # Hz, where no analysis names a frequency
+DEFAULT_BAND = 1000.0  # Hz, where no analysis names a frequency
 Progress = Callable[[str], None]
 
 
@@ -163,7 +163,7 @@ def solve_bearing(
 def _highest(analyses: Mapping[str, Spec], top: float) -> float:
     """Highest frequency of any analysis [Hz]; ``top``: highest speed of all rotors [rad/s]."""
     frequencies = (analysis(name).highest(spec, top) for name, spec in analyses.items())
-    return max(frequencies, default=0.0) or UNASKED_BAND
+    return max(frequencies, default=0.0) or DEFAULT_BAND
 
 
 def _ports(spindle: Spindle, analyses: Mapping[str, Spec]) -> tuple[Place, ...]:

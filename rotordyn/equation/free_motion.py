@@ -59,7 +59,7 @@ class FreeMotions:
     @cached_property
     def _chosen(self) -> tuple[Indices, Flags]:
         """Columns of ``modes`` (s, k), and which of them only fill up a row."""
-        columns, number = self.modes.one_of_each_pair()
+        columns, number = self.modes.representatives()
         return columns, number == 0.0
 
     @cached_property

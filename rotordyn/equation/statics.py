@@ -138,7 +138,7 @@ def _rotor(structure: Structure, linear: Linear, dof: tuple[int, ...], point: Ar
     return StaticRotor(dof, stiffness, rings @ linear.basis, load, 0.0 * load)
 
 
-def withstands(structure: Structure, state: State, force: Array, pull: float = 1.0) -> Flags:
+def stays_stable(structure: Structure, state: State, force: Array, pull: float = 1.0) -> Flags:
     """Return the states (s,) in which the axial ``force`` (s, elements) [N] leaves bending stable.
 
     The symmetric stiffness of bending must have as many negative eigenvalues as without axial

@@ -128,7 +128,7 @@ class LinearSupport(Description):
         return value if isinstance(value, float) else math.nan
 
     @property
-    def pushes_away(self) -> bool:
+    def has_negative_stiffness(self) -> bool:
         """Whether a diagonal stiffness is negative at some speed, as of the field of a motor."""
         diagonal = (value for (row, column), value in self.stiffness.items() if row == column)
         return any(min(each if isinstance(each, tuple) else (each,)) < 0.0 for each in diagonal)
@@ -177,7 +177,7 @@ class LinearSupport(Description):
                 )
 
     @property
-    def sideways(self) -> tuple[tuple[str, str], ...]:
+    def axial_coupling(self) -> tuple[tuple[str, str], ...]:
         """Entries of ``stiffness`` that couple a displacement along x to other loads."""
         return tuple(pair for pair in self._stiff if pair[1] == "x" and pair[0] != "x")
 

@@ -43,7 +43,7 @@ def ring_rows(scene: Scene, part: Linear) -> Array:
     return rows
 
 
-def moved_by(scene: Scene, load: Array) -> Array:
+def ring_displacements(scene: Scene, load: Array) -> Array:
     """Return the displacement of rings (usable, seats, 5) by their tangents, under forces and
     moments in the spindle's frame (usable, seats, 6)."""
     turns = [HALF_TURN_ABOUT_Y if seat.thrust < 0 else 1.0 for seat in scene.spindle.seats]
@@ -85,7 +85,7 @@ def departure(scene: Scene, moved: Array | Complex) -> Array:
     return deviation
 
 
-def beyond_tangents(
+def tangent_warnings(
     what: str, names: Sequence[str], speed: Array | None, apart: NDArray[np.floating]
 ) -> Iterator[str]:
     """Yield a warning where loads of bearings, by ``names``, deviate from those of their tangents

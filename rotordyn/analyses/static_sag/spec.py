@@ -10,7 +10,7 @@ from rotordyn.errors import InvalidInput
 from rotordyn.machine.assembly import unknown
 from rotordyn.quantity import Angle, Choice, Eccentricity, Items, Name, Station
 from rotordyn.scene.conditions import Conditions
-from rotordyn.scene.spec import Setting, Spec, held_twice
+from rotordyn.scene.spec import Setting, Spec, redundant_support_faults
 
 GRAVITY = ("-y", "+y", "-z", "+z", "none")
 
@@ -85,7 +85,7 @@ class StaticSagSpec(Spec):
         from rotordyn.scene.at_rest import on_nodes, require_balance, weight
 
         spindle = setting.spindle
-        if faults := [*held_twice(setting)]:
+        if faults := [*redundant_support_faults(setting)]:
             yield from faults
             return
         mesh, down = station_mesh(spindle), self.weight_of(setting.conditions)

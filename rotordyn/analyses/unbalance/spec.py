@@ -11,7 +11,7 @@ from rotordyn.machine.assembly import misnamed, unknown
 from rotordyn.machine.spindle import Spindle
 from rotordyn.quantity import Duration, Items, PointName
 from rotordyn.scene.loads import BalanceGrade, EccentricSpan, Unbalance
-from rotordyn.scene.spec import Setting, Spec, placed, spanned, turning
+from rotordyn.scene.spec import Setting, Spec, placed, span_faults, turning
 from rotordyn.units import format_quantity
 
 
@@ -62,7 +62,7 @@ class UnbalanceSpec(Spec):
         for index, unbalance in enumerate(self.unbalances):
             yield from placed(unbalance.at, spindle, ("unbalances", index, "at"), rotors=True)
         for index, span in enumerate(self.spans):
-            yield from spanned(span.start, span.to, spindle, ("spans", index), rotors=True)
+            yield from span_faults(span.start, span.to, spindle, ("spans", index), rotors=True)
         if self.grade is not None:
             yield from _plane_faults(self.grade, spindle)
         yield from self._speed_faults(spindle)

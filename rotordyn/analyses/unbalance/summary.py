@@ -14,7 +14,7 @@ from rotordyn.results.display import GRAM_MILLIMETRE, MICROMETRE, RPM, number, r
 from rotordyn.results.headline import Number
 from rotordyn.results.text import unbroken
 from rotordyn.scene.hardly_damped import LIGHT, hardly_damped
-from rotordyn.scene.linearity import beyond_tangents
+from rotordyn.scene.linearity import tangent_warnings
 from rotordyn.scene.stability import how_it_grows
 
 Array = NDArray[np.float64]
@@ -173,7 +173,7 @@ def accuracy(result: UnbalanceResult) -> list[str]:
 def warnings(result: UnbalanceResult) -> list[str]:
     """Return warnings of loads beyond tangents, films, light damping, runs and errors."""
     curves = result.support, result.fine_speed, result.fine_departure
-    sentences = [*beyond_tangents("unbalance", *curves)]
+    sentences = [*tangent_warnings("unbalance", *curves)]
     sentences += _films(result)
     sentences += _hardly_damped(result)
     sentences += _run_warnings(result)
@@ -199,7 +199,7 @@ def _run_warnings(result: UnbalanceResult) -> Iterator[str]:
         if at.size:
             where = f"on the run {name}, {_from_to(at.min(), at.max())}"
             what = f"unbalance: at the largest forces of bearings {where}"
-            yield from beyond_tangents(what, result.support, None, departures[None])
+            yield from tangent_warnings(what, result.support, None, departures[None])
     ranges = zip(result.unstable_from, result.unstable_to, result.unstable_pole, strict=True)
     highest = result.model_frequency
     grows = [f"{_from_to(*ends)} it {how_it_grows(pole, highest)}" for *ends, pole in ranges]
