@@ -50,9 +50,9 @@ class Case(Description):
     analyses: Annotated[
         Mapping[Name, Spec],
         ByName(),
-        "what is asked; what is not named is not computed",
+        "analyses to solve; others are not computed",
     ]
-    conditions: Annotated[Conditions, "how the machine is modelled"] = field(
+    conditions: Annotated[Conditions, "speeds, loads and model choices"] = field(
         default_factory=Conditions
     )
     spindle: Annotated[Spindle | None, "name of a model, or a path; either this or `bearing`"] = (
@@ -65,8 +65,8 @@ class Case(Description):
     uncertain: Annotated[
         Uncertain | None,
         Worded(),
-        "what is not known for certain, of which `--interval` gives the range of every result; "
-        "or `as usual` ([how](howto/intervals.md))",
+        "uncertain values, of which `--interval` gives the range of every result; or "
+        "`as usual` ([how](howto/intervals.md))",
     ] = None
     files: Annotated[tuple[Path, ...], HIDDEN] = field(default=(), compare=False)
     digest: Annotated[str, HIDDEN] = field(default="", compare=False)

@@ -40,9 +40,9 @@ class Fits(Description):
     taken: Annotated[
         str,
         Choice(TAKEN),
-        "which interference of the tolerances: their `mean`, the `least` or `most` of parts at "
-        "their limits, or those within which nearly all pairs of parts lie, `probable_least` and "
-        "`probable_most`",
+        "interference taken from the tolerances: their `mean`, the `least` or `most` of "
+        "parts at their limits, or those within which nearly all pairs of parts lie, "
+        "`probable_least` and `probable_most`",
     ] = "mean"
     smoothing: Annotated[
         Depth, "interference lost to the roughness of both surfaces, on the diameter"

@@ -25,12 +25,12 @@ class SectionForcesSpec(Spec):
 
     loads: Annotated[tuple[PointLoad, ...], "forces and moments at points or stations"] = ()
     line_loads: Annotated[tuple[LineLoad, ...], "forces per length"] = ()
-    unbalances: Annotated[tuple[Unbalance, ...], "rotating forces as they stand at one angle"] = ()
+    unbalances: Annotated[tuple[Unbalance, ...], "rotating forces at one angular position"] = ()
     gravity: Annotated[
         str, Choice(WEIGHT), "direction of the rotor's weight, in any of the axes"
     ] = "none"
     twist_limits: Annotated[
-        tuple[TwistLimit, ...], "angles by which it may twist, and the diameters that keep to them"
+        tuple[TwistLimit, ...], "limits of the twist of the shaft, for which diameters are computed"
     ] = ()
 
     def _faults(self) -> Faults:

@@ -44,7 +44,7 @@ class StaticSagSpec(Spec):
         "distances in front of the point (towards −x) at which a gauge reads, on a straight test "
         "bar; below 0 behind it",
     ] = (0.0,)
-    ring_runouts: Annotated[tuple[RingRunout, ...], "of inner rings; those not named run true"] = ()
+    ring_runouts: Annotated[tuple[RingRunout, ...], "runouts of inner rings; others run true"] = ()
 
     def weight_of(self, conditions: Conditions) -> str:
         """Direction of the weight by which the shaft sags; none along its axis."""

@@ -23,8 +23,10 @@ class UnbalanceSpec(Spec):
     """
 
     points: Annotated[tuple[PointName, ...], Items(), "where motion is given"]
-    unbalances: Annotated[tuple[Unbalance, ...], "at points or stations"] = ()
-    spans: Annotated[tuple[EccentricSpan, ...], "lengths of shaft off their axis"] = ()
+    unbalances: Annotated[tuple[Unbalance, ...], "unbalances at points or stations"] = ()
+    spans: Annotated[
+        tuple[EccentricSpan, ...], "spans of the shaft whose centre of mass is off the axis"
+    ] = ()
     grade: Annotated[
         BalanceGrade | None,
         "residual unbalance by balance quality grade, added to the others",
@@ -34,7 +36,7 @@ class UnbalanceSpec(Spec):
         "times in which the speed rises evenly from the first to the last one of the case, past "
         "its resonances: the motion of the points on the way",
     ] = ()
-    run_down: Annotated[tuple[Duration, ...], "the same, falling"] = ()
+    run_down: Annotated[tuple[Duration, ...], "run-down times, likewise"] = ()
 
     def _faults(self) -> Faults:
         yield from repeated("points", self.points)
