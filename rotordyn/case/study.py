@@ -28,9 +28,9 @@ class SpanEntry:
         Annotated[int, Whole(2, MOST_POINTS)] | None,
         "number of points, ends included; none of a sample",
     ] = None
-    spacing: Annotated[str, Choice(SPACINGS), "equal steps (`linear`) or equal ratios (`ratio`)"] = (
-        SPACINGS[0]
-    )
+    spacing: Annotated[
+        str, Choice(SPACINGS), "equal steps (`linear`) or equal ratios (`ratio`)"
+    ] = SPACINGS[0]
 
 
 @dataclass(frozen=True, slots=True)
