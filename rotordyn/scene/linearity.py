@@ -80,8 +80,8 @@ def departure(scene: Scene, moved: Array | Complex) -> Array:
         least = SEEN * np.linalg.norm(preload.load * lever, axis=-1)
         share = np.where(size > least, miss / np.maximum(size, least + 1e-300), 0.0)  # never 0 / 0
         share = np.where((size == 0.0) & (miss > least), np.inf, share)  # of a bearing without load
-        overloaded = np.asarray(solution.outcome[:, 0] == "overloaded")
-        deviation[:, seat] = np.where(overloaded, np.inf, share).max(axis=-1)
+        exists = np.asarray(solution.outcome[:, 0] == "")
+        deviation[:, seat] = np.where(exists, share, np.inf).max(axis=-1)
     return deviation
 
 
