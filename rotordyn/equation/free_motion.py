@@ -180,7 +180,7 @@ class FreeMotions:
         return self._each(total)
 
     def turning_receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:
-        """Return the same in a frame rotating with the shaft, where ω is whirl at ω + Ω."""
+        """Return receptances in a frame rotating with the shaft: whirl at ω + Ω has ω there."""
 
         def evaluate(rows: Array, other: Array) -> Complex:
             parts = []

@@ -49,8 +49,8 @@ class Counted(NamedTuple):
 
 
 def counted(omega: Array, values: Complex, deviation: Array, most: int) -> Counted:
-    """Return the poles of ``values`` (f, e) at ``omega`` (f,) with standard ``deviation`` (f, e) of
-    real and imaginary part each, at most ``most``."""
+    """Return the fit of ``values`` (f, e) at ``omega`` (f,) with the likeliest number of poles, at
+    most ``most``; ``deviation`` (f, e): standard, of real and imaginary part each."""
     weight, trials = 1.0 / deviation, list[Trial]()
     for fit in _growing(omega, values, weight, most):
         trials.append(_trial(fit, values))
