@@ -118,8 +118,8 @@ def _outside(omega: Array) -> Complex:
 
 
 def _peaks(omega: Array, values: Complex) -> Complex:
-    """Return lightly damped poles at the peaks of the mean of ln |H|, most prominent first, or
-    one."""
+    """Return lightly damped poles at the peaks of the mean of ln |H|, most prominent first; at
+    its maximum if it has no peak."""
     from scipy.signal import find_peaks
 
     size = np.log(np.maximum(np.abs(values), 1e-300)).mean(axis=1)
