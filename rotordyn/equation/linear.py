@@ -74,7 +74,7 @@ class Linear:
         return matrix
 
     def scaled(self, stiffness: Array, damping: Array) -> Linear:
-        """Return it with factors (s,) on stiffness and damping, the gyroscopic excepted."""
+        """Return the subsystem with factors (s,) on stiffness and damping but not gyroscopic."""
         stiff, damped, spin = (factor[:, None, None] for factor in (stiffness, damping, self.speed))
         turning, gyroscopic = spin * self.turning, spin * self.gyroscopic
 

@@ -164,7 +164,7 @@ def _bending(structure: Structure, state: State, force: Array | None, pull: floa
 
 
 def _negative(matrix: Array) -> Array:
-    """Return the number of negative eigenvalues (s,) of the symmetric part, or infinity."""
+    """Return the number of negative eigenvalues (s,) of the symmetric part; infinity if unknown."""
     matrix = 0.5 * (matrix + np.swapaxes(matrix, 1, 2))
     finite = np.asarray(np.isfinite(matrix).all(axis=(1, 2)))
     size = np.sqrt(np.abs(np.diagonal(matrix, axis1=1, axis2=2)))

@@ -114,7 +114,7 @@ class Fits(Description):
         return interference(ring, limits(self.housing, self.outside_diameter))
 
     def depth(self, which: str) -> float:
-        """Return the interference in force on the radius, of ``"inner"`` or ``"outer"`` [m]."""
+        """Return the interference used, on the radius, of ``"inner"`` or ``"outer"`` [m]."""
         interference: Interference = getattr(self, which)
         reduced = interference.reduced(self.smoothing)
         depths = reduced._asdict()

@@ -17,7 +17,7 @@ from rotordyn.preload.network import Network, NetworkState
 
 LEAST_PRELOAD = 0.05  # N: by rounding of ball positions loads below are known to 1e-9 at best
 STILL = 1e-9  # m
-UNASKED = 1.0  # N: substitute load of bearings that carry none at rest
+UNASKED = 1.0  # N: substitute load of bearings that carry none at rest, or an unknown one
 LEAST_LOAD = 1e-6  # of the largest axial force: below it a bearing counts as unloaded
 
 

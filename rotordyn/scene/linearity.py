@@ -55,7 +55,7 @@ def ring_displacements(scene: Scene, load: Array) -> Array:
 def departure(scene: Scene, moved: Array | Complex) -> Array:
     """Return the relative deviation of every bearing's load at usable speeds (usable, seats): what
     its law adds to the preload state, against what its tangent adds, over the latter; infinite
-    where no state exists, NaN with oil films.
+    where a bearing is overloaded, NaN where no equilibrium is found and with oil films.
 
     ``moved`` (usable, seats, 5): displacement of the rings, or amplitude of a harmonic one.
     """

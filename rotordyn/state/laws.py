@@ -77,8 +77,8 @@ class RestBall:
 class Table:
     """Cubic pieces between ``breakpoints`` [m], each (d³, d², d, 1) from its left breakpoint.
 
-    Beyond the last knot the last slope continues; before the first one the first slope, down to
-    zero load, or further where the load at that knot is negative.
+    Beyond the last breakpoint the last slope continues; before the first one the first slope, down
+    to zero load, or further where the load at that breakpoint is negative.
     """
 
     breakpoints: Sequence[float]
