@@ -29,7 +29,7 @@ def first_loss(coarse: Radius, fine: Radius, low: float, high: float, step: floa
     where all depths are stable, 0 where the machine is unstable without a cut.
 
     ``coarse``: spectral radius over depth of a quick map, by which depths are tried; ``fine``: of
-    the map that gives the depth. ``step``: longest step [m] up to depths of 100 steps.
+    the map that gives the depth. ``step``: longest step [m] up to depths of ``EVEN`` steps.
     """
     coarse, fine = cache(coarse), cache(fine)
     if fine(low) >= 1.0:

@@ -120,7 +120,7 @@ def _at_speed(result: UnbalanceResult, values: Array) -> str:
 
 
 def _backward(result: UnbalanceResult) -> list[str]:
-    """Return the line of speeds with orbits against the spindle, as the rotor itself may turn."""
+    """Return the line of speeds with orbits against the spindle; the rotor itself may turn so."""
     at_rest = result.fine_major_axis == 0.0  # which has the sense of whirl of the next speed
     excess = -result.fine_minor_axis / np.where(at_rest, np.nan, result.fine_major_axis) - STRAIGHT
     excess[0] = np.where(at_rest[0], excess[min(1, len(excess) - 1)], excess[0])
