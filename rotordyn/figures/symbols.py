@@ -145,7 +145,8 @@ def draw_sleeve(
 
 
 def draw_drawbar(sketch: Sketch, bar: Drawbar, shaft: Shaft) -> None:
-    """Draw the drawbar [m] in the cut half of the bore [mm], as wide if guided everywhere.
+    """Draw the drawbar, [m] in, [mm] out, in the upper half of the bore, which it fills if guided
+    everywhere.
 
     It has a plate at either end, where it pulls the shaft, and a ring at every guide.
     """

@@ -48,7 +48,8 @@ def _search(
     radius: Radius, low: float, high: float, step: float, within: float, doubtful: float = 0.0
 ) -> float:
     """Return the least depth at which the radius is 1, to a relative tolerance ``within``; 0 where
-    it exceeds 1 at ``low``; NaN where a maximum is nearer to 1 than ``doubtful``."""
+    it is above 1 at ``low``; NaN where a maximum is nearer to 1 than ``doubtful``; infinite if it
+    stays below 1 up to ``high``."""
     depth = [low]
     while radius(depth[-1]) < 1.0 and depth[-1] < high:
         depth.append(min(depth[-1] * RATIO, depth[-1] + _longest_step(depth[-1], step), high))

@@ -243,7 +243,8 @@ def _hardly_damped(result: UnbalanceResult) -> Iterator[str]:
 
 
 def _highest_critical(result: UnbalanceResult) -> Iterator[int | None]:
-    """Yield for each point the index of the critical speed at its highest finite peak, or None."""
+    """Yield for each point the index of the critical speed at its highest peak, or None: there is
+    no such speed, no peak, or an infinite one."""
     for speed, height in zip(result.peak_speed, result.peak_amplitude, strict=True):
         if not np.isfinite(height).any() or np.isinf(height).any():
             yield None
