@@ -26,9 +26,9 @@ class TimeResponseResult:
     ``unloaded_time``: total time in which the inner race loads no ball of a bearing.
     ``gap``: of end stops, below zero where one is compressed, or, if stops stay as they are in the
     preload state, where an open one would close; ``stop_gap``: its least value; ``stop_force``:
-    the largest force of a stop that closes. ``holding``: largest force over the limit of the stop
-    or the dry friction that holds a sleeve; above 1 it would move. ``ended``: time up to which the
-    motion is solved, and ``ending`` why it ends.
+    the largest force of a stop that closes. ``holding``: largest force over that which presses a
+    sleeve on a closed stop, or over the limit of the dry friction that holds it; above 1 it would
+    move. ``ended``: time up to which the motion is solved, and ``ending`` why it ends.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")

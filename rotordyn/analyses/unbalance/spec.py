@@ -112,7 +112,7 @@ def run_name(time: float) -> str:
 
 
 def _plane_faults(grade: BalanceGrade, spindle: Spindle) -> Faults:
-    """Check that planes are on one rotor, two on both sides of its centre of gravity."""
+    """Check that planes are on one rotor; of two, one on either side of its centre of gravity."""
     path = ("grade", "planes")
     faults = [
         fault

@@ -120,7 +120,7 @@ def _at_speed(result: UnbalanceResult, values: Array) -> str:
 
 
 def _backward(result: UnbalanceResult) -> list[str]:
-    """Return the line of speeds with orbits against the spindle, as the rotor itself may turn."""
+    """Return the line of speeds with orbits against the spindle; the rotor itself may turn so."""
     at_rest = result.fine_major_axis == 0.0  # which has the sense of whirl of the next speed
     excess = -result.fine_minor_axis / np.where(at_rest, np.nan, result.fine_major_axis) - STRAIGHT
     excess[0] = np.where(at_rest[0], excess[min(1, len(excess) - 1)], excess[0])
@@ -243,7 +243,8 @@ def _hardly_damped(result: UnbalanceResult) -> Iterator[str]:
 
 
 def _highest_critical(result: UnbalanceResult) -> Iterator[int | None]:
-    """Yield for each point the index of the critical speed at its highest finite peak, or None."""
+    """Yield for each point the index of the critical speed at its highest peak, or None: there is
+    no such speed, no peak, or an infinite one."""
     for speed, height in zip(result.peak_speed, result.peak_amplitude, strict=True):
         if not np.isfinite(height).any() or np.isinf(height).any():
             yield None
