@@ -195,11 +195,13 @@ def thermal_growth(bearing: BallBearing, temperature: Array) -> tuple[Array, Arr
     """
     balls, inner, outer = np.moveaxis(np.asarray(temperature, float), -1, 0) - REFERENCE
     races = inner * bearing.inner_raceway_radius - outer * bearing.outer_raceway_radius
-    radial, axial = swollen(bearing, balls, inner, outer)
+    radial, axial = ball_expansion(bearing, balls, inner, outer)
     return bearing.ring_material.expansion * races + radial, axial
 
 
-def swollen(bearing: BallBearing, balls: Array, inner: Array, outer: Array) -> tuple[Array, Array]:
+def ball_expansion(
+    bearing: BallBearing, balls: Array, inner: Array, outer: Array
+) -> tuple[Array, Array]:
     """Contribution of the expansion of the balls to radial growth and axial shift [m].
 
     ``balls``, ``inner``, ``outer``: rises of temperature [K]. Between contacts at the free angle α0

@@ -40,9 +40,13 @@ class Rises(NamedTuple):
 class BearingTemperatures(Description):
     """Temperatures of one bearing [°C]; each may be a list over speed."""
 
-    inner_ring: Annotated[Values | None, "by default that of all inner rings"] = None
-    outer_ring: Annotated[Values | None, "by default that of all outer rings"] = None
-    balls: Annotated[Values | None, "by default that of all balls"] = None
+    inner_ring: Annotated[
+        Values | None, "temperature of its inner ring; by default that of all inner rings"
+    ] = None
+    outer_ring: Annotated[
+        Values | None, "temperature of its outer ring; by default that of all outer rings"
+    ] = None
+    balls: Annotated[Values | None, "temperature of its balls; by default that of all balls"] = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,17 +56,23 @@ class Temperatures(Description):
     Rings take the temperature of their seats unless given, balls the mean of both rings.
     """
 
-    shaft: Annotated[Values | None, "of the shaft; by default the reference"] = None
-    housing: Annotated[Values | None, "of the housing; by default the reference"] = None
-    inner_rings: Annotated[Values | None, "of all inner rings; by default that of the shaft"] = None
-    outer_rings: Annotated[Values | None, "of all outer rings; by default of the housing"] = None
-    balls: Annotated[Values | None, "of all balls; by default the mean of both rings"] = None
+    shaft: Annotated[Values | None, "temperature of the shaft; by default the reference"] = None
+    housing: Annotated[Values | None, "temperature of the housing; by default the reference"] = None
+    inner_rings: Annotated[
+        Values | None, "temperature of all inner rings; by default that of the shaft"
+    ] = None
+    outer_rings: Annotated[
+        Values | None, "temperature of all outer rings; by default that of the housing"
+    ] = None
+    balls: Annotated[
+        Values | None, "temperature of all balls; by default the mean of both rings"
+    ] = None
     bearings: Annotated[
         Mapping[Name, BearingTemperatures], "bearing -> its own, instead of these"
     ] = field(default_factory=dict)
-    speeds: Annotated[tuple[Speed, ...], "of the values in lists, ascending"] = ()
+    speeds: Annotated[tuple[Speed, ...], "speeds of the values in lists, ascending"] = ()
     reference: Annotated[
-        Temperature, "at which the spindle is assembled: fits and preloads are of it"
+        Temperature, "temperature of assembly, at which fits and preloads hold"
     ] = MEASURED
     housing_expansion: HousingExpansion = None
 

@@ -48,7 +48,7 @@ class AxialForce:
         return np.asarray(force)
 
     def bending(self, x: Array) -> Array:
-        """Return the force in bending at ``x`` (p,) [m], tension positive (states, p) [N].
+        """Return the force acting in bending at ``x`` (p,) [m], tension positive (states, p) [N].
 
         The tension of a drawbar guided everywhere acts too; it cancels the shaft's compression.
         """
@@ -126,10 +126,10 @@ def axial_force(
 
 def _shares(spindle: Spindle) -> Array:
     """Return the share of each support in an axial force, 0 if none holds the shaft (supports,)."""
-    stiffness = np.array([float("x" in support.rigid) for support in spindle.supports])
-    if not stiffness.any():
-        stiffness = np.array([support.along for support in spindle.supports])
-    return stiffness / stiffness.sum() if stiffness.any() else stiffness
+    weight = np.array([float("x" in support.rigid) for support in spindle.supports])
+    if not weight.any():
+        weight = np.array([support.along for support in spindle.supports])
+    return weight / weight.sum() if weight.any() else weight
 
 
 def _clamped(forces: AxialForce, rigid: list[int]) -> Array:

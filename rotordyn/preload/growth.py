@@ -78,9 +78,9 @@ def _ball_growth(
     rises = _rises(seat, speed, temperatures)
     if temperatures is None:  # zero; saves the import
         return rises.balls, rises.balls
-    from bearings.heat.temperature import swollen
+    from bearings.heat.temperature import ball_expansion
 
-    return swollen(seat.bearing, rises.balls, rises.inner, rises.outer)
+    return ball_expansion(seat.bearing, rises.balls, rises.inner, rises.outer)
 
 
 def _fitted(

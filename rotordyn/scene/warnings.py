@@ -21,7 +21,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.station import SLACK
 from rotordyn.preload.growth import released_fits
 from rotordyn.preload.ring_stress import YIELD, ring_stress
-from rotordyn.results.balls import gripping, no_film, preloaded, pressed, slipping
+from rotordyn.results.balls import friction_warning, no_film, preloaded, pressed, slipping
 from rotordyn.results.display import RPM, number
 from rotordyn.results.text import which_of
 from rotordyn.scene.expansions import expansion_warnings
@@ -83,9 +83,11 @@ def _when(held: float, loose: float) -> str:
 
 def _statically_unstable(scene: Scene) -> Iterator[str]:
     """Warn where the negative stiffness of supports exceeds the stiffness that holds the shaft."""
-    speed = scene.speed[scene.usable][scene.pushed_away]
+    speed = scene.speed[scene.usable][scene.statically_unstable]
     if speed.size:
-        names = ", ".join(support.name for support in scene.spindle.supports if support.pushes_away)
+        names = ", ".join(
+            support.name for support in scene.spindle.supports if support.has_negative_stiffness
+        )
         yield (
             f"the negative stiffness of support {names} is stronger than what holds the shaft at "
             f"{speed.size} of {len(scene.usable)} speeds, first at "
@@ -298,7 +300,7 @@ def bearing_warnings(scene: Scene) -> Iterator[str]:
         sentences = (
             pressed(name, speed, peak) or preloaded(name, speed, peak),
             slipping(name, speed, slips),
-            gripping(name, speed, required_friction) if no_slip else "",
+            friction_warning(name, speed, required_friction) if no_slip else "",
         )
         yield from (sentence for sentence in sentences if sentence)
         if state.lateral is not None or state.force:

@@ -388,6 +388,9 @@ def test_a_bearing_pressed_from_either_side_has_its_largest_load() -> None:
     assert peak in summary(other)[0].replace("\N{NO-BREAK SPACE}", " ")
     picture = warming_figure(other)
     assert picture.axes[0].get_ylim()[0] < other.axial_load.min()
+    dots = [line.get_xydata()[0] for line in picture.axes[0].lines if len(line.get_xydata()) == 1]
+    signed = -other.largest_load[0, 2]  # in the frame of the turned bearing
+    assert any(dot == pytest.approx([other.largest_time[0, 2] / 60.0, signed]) for dot in dots)
 
 
 @cache
