@@ -20,8 +20,8 @@ MEASURED = 20.0  # °C, at which lengths are measured (ISO 1)
 Values = Temperature | tuple[Temperature, ...]
 HousingExpansion = Annotated[
     ThermalExpansion | None,
-    "of the housing along the axis; by default that of the `housing_material` of the fits, where "
-    "that is the same for all bearings, else that of steel",
+    "thermal expansion of the housing along the axis; by default that of the `housing_material` "
+    "of the fits, where that is the same for all bearings, else that of steel",
 ]
 OF_BEARING = ("inner_ring", "outer_ring", "balls")
 
