@@ -273,7 +273,7 @@ def most_moments(past: Past, speeds: Sequence[float]) -> int:
 def _changed(
     step: HistoryStep, start: Moment, weight: float, speeds: Sequence[float]
 ) -> list[Moment]:
-    """Return the points to which a step leads from ``here``, one at each of ``speeds`` between."""
+    """Return the points to which a step leads from ``start``, one at each of ``speeds`` between."""
     if step.warm is not None:
         return [start._replace(warm=step.warm)]
     if step.axial_force is not None:
