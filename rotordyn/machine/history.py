@@ -20,10 +20,10 @@ class HistoryStep(Description):
     warm: Annotated[
         bool | None, "`true`: the temperatures of the conditions, `false`: those of assembly"
     ] = None
-    speed: Annotated[Speed | None, "it goes to this speed"] = None
+    speed: Annotated[Speed | None, "speed to run to"] = None
     run_up: Annotated[
         bool,
-        "it goes to every speed of the case, up or down from where it is; every step after this "
+        "run to every speed of the case, up or down from the present one; every step after this "
         "one is made at each of them",
     ] = False
     axial_force: Annotated[Force | None, "axial force on the shaft towards +x"] = None

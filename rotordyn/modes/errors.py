@@ -120,7 +120,7 @@ def _judged(scene: Scene, branches: list[Branch], band: Band, *, overdamped: boo
 def _compared(scene: Scene, band: Band, branches: list[Branch]) -> ModeErrors:
     """Compare poles of followed modes with the nearest ones of the finer model."""
     finer, few = scene.refined, few_rows(scene)
-    rows = np.unique([*few, *(b.born for b in branches if (b.column[few] < 0).all())])
+    rows = np.unique([*few, *(b.first_row for b in branches if (b.column[few] < 0).all())])
     errors = np.full((3, len(rows), len(branches)), np.nan)
     unconverged, highest = "", (1.0 - SAME) * band.highest
     spin = _spin(scene)

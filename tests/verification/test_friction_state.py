@@ -483,8 +483,8 @@ def test_no_points_of_a_table_nearly_coincide(growth: float) -> None:
     """Rounding of the loads of such a pair would make its slope between."""
     model = AngularContactBallBearing(8e-3, 60e-3, 16, contact_angle=math.radians(18))
     law = solved([_Request(model, LAW, (growth, growth), 0.0, 50e-6)])[0].law
-    slope = np.array([law(d)[1] for d in law.knots])
-    between = np.array([law((a + b) / 2.0)[1] for a, b in pairwise(law.knots)])
+    slope = np.array([law(d)[1] for d in law.breakpoints])
+    between = np.array([law((a + b) / 2.0)[1] for a, b in pairwise(law.breakpoints)])
     assert between == pytest.approx((slope[1:] + slope[:-1]) / 2.0, abs=0.02 * slope.max())
 
 
@@ -499,7 +499,7 @@ def test_tables_solved_together_are_those_of_each(monkeypatch: pytest.MonkeyPatc
     axial_tables_module._kept.clear()
     for one, found in zip(asked, together, strict=True):
         (alone,) = solved([one])
-        assert found.law.knots == pytest.approx(alone.law.knots, rel=1e-12)
+        assert found.law.breakpoints == pytest.approx(alone.law.breakpoints, rel=1e-12)
         for d in (0.3 * one.high, 0.9 * one.high):
             assert found.law(d) == pytest.approx(alone.law(d), rel=1e-9)
 

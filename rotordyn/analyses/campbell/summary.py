@@ -186,7 +186,7 @@ def lacking(result: CampbellResult) -> Iterator[Number]:
     yield Number(UNSTABLE, "rpm", math.nan)
 
 
-def unlisted(_: CampbellResult) -> Iterator[tuple[str, list[str]]]:
+def missing_entries(_: CampbellResult) -> Iterator[tuple[str, list[str]]]:
     """Yield all names that modes, and modes at critical speeds, may have."""
     combinations = product(MOTIONS, range(MOST), ("", *(f" {whirl}" for whirl in WAYS)))
     names = [f"{kind} {k + 1}{whirl}" for kind, k, whirl in combinations]

@@ -82,8 +82,8 @@ def _unstable(
     scene: Scene, subsystem: int, highest: float, speed: float, modes: Sequence[tuple[Branch, str]]
 ) -> str:
     """Return the mode of a subsystem, or ``DIVERGENCE``, that grows most just above a speed: the
-    one whose pole, interpolated over speed, is nearest; several may grow farther up. Empty where
-    there is no equilibrium."""
+    one whose pole, interpolated over speed, is nearest to the fastest growing pole there, since
+    several modes may grow farther up. Empty where there is no equilibrium."""
     above = min((1.0 + ABOVE) * speed, float(scene.speed[-1]))  # where tables of supports may end
     pole = _fastest_pole(scene, subsystem, highest, above)
     if pole is None or not modes:
@@ -142,7 +142,8 @@ def _growth(scene: Scene, subsystem: int, highest: float, speed: float) -> float
 
 
 def _fastest_pole(scene: Scene, subsystem: int, highest: float, speed: float) -> complex | None:
-    """Return the pole of that motion, −1 where there is none; None without equilibrium."""
+    """Return the pole of largest Re λ / |λ| as in ``_growth``, −1 where no motion is below the
+    ``highest`` frequency [rad/s] or diverges; None without equilibrium."""
     other = scene.at(np.array([speed]))
     if any(other.outcome):
         return None
