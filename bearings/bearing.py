@@ -286,7 +286,7 @@ class BallBearing:
 
     @property
     def ring_limits(self) -> tuple[float, float]:
-        """Largest bore and least outside diameter that leave the rings walls at the balls [m]."""
+        """Largest bore and least outside diameter that leave both rings a wall at the balls [m]."""
         return ring_limits(self.pitch_diameter, self.ball_diameter, self.free_angle)
 
     @property

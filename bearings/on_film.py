@@ -110,7 +110,7 @@ def grown(state: BearingState, films: Film) -> tuple[Array, Array]:
     balls weighted by their loads on either race; NaN where there is no state."""
     split, mean = len(state.operation.geometry.inner_grooves), np.zeros(2)
     parts = slice(split), slice(split, None)
-    for separation, part in zip(moved_races(state, films), parts, strict=True):
+    for separation, part in zip(race_separation(state, films), parts, strict=True):
         load = np.nan_to_num(state.contact_load)[..., part].sum(axis=-1)
         total = load.sum(axis=-1)
         share = load / np.where(total > 0.0, total, 1.0)[..., None]
@@ -126,7 +126,7 @@ def kept(current: tuple[Array, Array], previous: tuple[Array, Array]) -> tuple[A
     return growth, axial
 
 
-def moved_races(state: BearingState, films: Film) -> tuple[Array, Array]:
+def race_separation(state: BearingState, films: Film) -> tuple[Array, Array]:
     """Radial and axial distance by which films separate the inner race, and the outer one, from
     every ball (…, balls, 2) [m].
 

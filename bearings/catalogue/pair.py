@@ -1,4 +1,4 @@
-"""Rigidity and unloading force of two identical bearings back to back, rigidly preloaded.
+"""Rigidity and unloading force of two identical bearings back to back, rigidly preloaded, at rest.
 
 A bearing pushed axially by x BD beyond touching has its groove centres at the angle α with
 tan α = tan α0 + x/cos α0. Its balls are pressed by BD ε, ε = cos α0/cos α − 1, so that

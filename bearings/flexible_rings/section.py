@@ -30,7 +30,7 @@ Arc = tuple[Index, Array, tuple[float, float]]
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Section:
-    """Mesh: corners (2, v) [m] (axial, radial), quadrilaterals (4, q), which of them are backing.
+    """Mesh: corners (2, v) [m] (axial, radial), quadrilaterals (4, q), which (q,) are backing.
 
     ``rings``: middles of the rings along the axis [m], as ``ElasticRing.places``; ``arcs``: for
     each ring its grooves in the order of the contacts, that with its centre at +x first: corners

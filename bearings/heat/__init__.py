@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from bearings.heat.ellipse import Sliding, sliding, spin_moment
 from bearings.heat.moments import OIL_FACTORS, load_moment, viscous_moment
-from bearings.heat.mounted import Heated, Mounting, heated, speed_limit
+from bearings.heat.mounted import Mounting, ThermalState, heated, speed_limit
 from bearings.heat.skf import SkfMoment, skf_moment
 from bearings.heat.temperature import (
     Conductances,
@@ -22,13 +22,13 @@ from bearings.heat.total import Losses, losses
 __all__ = [
     "OIL_FACTORS",
     "Conductances",
-    "Heated",
     "Losses",
     "Mounting",
     "SkfMoment",
     "Sliding",
     "Surroundings",
     "Temperatures",
+    "ThermalState",
     "balanced",
     "heated",
     "load_moment",

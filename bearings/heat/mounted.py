@@ -55,7 +55,7 @@ class Mounting:
 
 
 @dataclass(frozen=True, eq=False)
-class Heated:
+class ThermalState:
     """A bearing at its equilibrium temperatures, of leading shape (…).
 
     ``growth``, ``axial`` [m]: thermal, of inner against outer groove, on the radius and along the
@@ -88,7 +88,7 @@ class Heated:
 
 def heated(
     bearing: BallBearing, mounting: Mounting, *, speed: ArrayLike, preload: ArrayLike
-) -> Heated:
+) -> ThermalState:
     """Solve the temperatures of a bearing at ``speed`` [rad/s] under an axial ``preload`` [N],
     which broadcast to one dimension or more.
 
@@ -110,7 +110,7 @@ def heated(
 
     reached = balanced(heat, mounting.conductances, mounting.surroundings, omega.shape)
     growth, axial = thermal_growth(bearing, np.stack(reached[:3], axis=-1))
-    return Heated(reached, growth, axial, state_at(omega, growth, axial, None))
+    return ThermalState(reached, growth, axial, state_at(omega, growth, axial, None))
 
 
 def speed_limit(

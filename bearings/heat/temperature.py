@@ -195,11 +195,13 @@ def thermal_growth(bearing: BallBearing, temperature: Array) -> tuple[Array, Arr
     """
     balls, inner, outer = np.moveaxis(np.asarray(temperature, float), -1, 0) - REFERENCE
     races = inner * bearing.inner_raceway_radius - outer * bearing.outer_raceway_radius
-    radial, axial = swollen(bearing, balls, inner, outer)
-    return bearing.ring_material.thermal_expansion * races + radial, axial
+    radial, axial = ball_expansion(bearing, balls, inner, outer)
+    return bearing.ring_material.expansion * races + radial, axial
 
 
-def swollen(bearing: BallBearing, balls: Array, inner: Array, outer: Array) -> tuple[Array, Array]:
+def ball_expansion(
+    bearing: BallBearing, balls: Array, inner: Array, outer: Array
+) -> tuple[Array, Array]:
     """Contribution of the expansion of the balls to radial growth and axial shift [m].
 
     ``balls``, ``inner``, ``outer``: rises of temperature [K]. Between contacts at the free angle α0
@@ -209,8 +211,8 @@ def swollen(bearing: BallBearing, balls: Array, inner: Array, outer: Array) -> t
     e/cos α0 reduces the play as much.
     """
     sine, cosine = math.sin(bearing.free_angle), math.cos(bearing.free_angle)
-    ball_growth = bearing.ball_diameter * bearing.ball_material.thermal_expansion * balls
-    ring_growth = 0.5 * bearing.ball_diameter * bearing.ring_material.thermal_expansion
+    ball_growth = bearing.ball_diameter * bearing.ball_material.expansion * balls
+    ring_growth = 0.5 * bearing.ball_diameter * bearing.ring_material.expansion
     closer = ball_growth - ring_growth * (inner + outer)
     if bearing.both_ways:
         return ball_growth * cosine + closer * sine**2 / cosine, 0.0 * closer

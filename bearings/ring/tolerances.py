@@ -15,7 +15,7 @@ IDLE = 64.0  # roundings of the lengths: a smaller approach of a ball at rest co
 # linear equations of a ring
 PLAINLY_REGULAR = 1e-14  # determinant of K over its largest entry
 SINGULAR = 1e-13  # least singular value of K over its largest entry: there it is rounding
-NEUTRAL = 1e-13  # the same, of an unrestrained motion
+NEUTRAL = 1e-13  # the same, below which a motion of the ring counts as unrestrained
 
 # first stage
 CONVEX_STEPS = 100

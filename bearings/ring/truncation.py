@@ -48,7 +48,8 @@ class Truncation:
 
     @property
     def middle_margin(self) -> Array:
-        """Angle from the groove's middle to the lower end (…, balls, contacts) [rad]."""
+        """Angle from the groove's middle to the lower end (…, balls, contacts) [rad]; negative past
+        the middle."""
         return self.lower_end - self.middle_angle
 
     @property

@@ -118,7 +118,7 @@ class Analysis:
     - ``numbers(result, case)``: headline numbers (``results.headline.Number``), a row of the table
       under ``heading``; ``over``: the coordinate of their speeds;
     - ``lacking(result)``: headline numbers, NaN, that other machines have and this one has not;
-      ``unlisted(result)``: coordinates of words, and entries that other machines have.
+      ``missing_entries(result)``: coordinates of words, and entries that other machines have.
 
     An HTML page shows, in a section named ``title`` (by default its name):
 
@@ -164,7 +164,7 @@ class Analysis:
     over: str = "speed"
     numbers: Callable[[Any, Any], Iterable[Number]] = _nothing
     lacking: Callable[[Any], Iterable[Number]] = _nothing
-    unlisted: Callable[[Any], Iterable[tuple[str, Sequence[str]]]] = _nothing
+    missing_entries: Callable[[Any], Iterable[tuple[str, Sequence[str]]]] = _nothing
     lean: Callable[[Any], Any] = _same
     speeds: Callable[[Any], Iterable[float]] = _nothing
     known: Callable[[Any, Any, Any], Any] | None = None
@@ -182,7 +182,7 @@ PLACES = {
     "warnings": "summary:warnings",
     "numbers": "summary:numbers",
     "lacking": "summary:lacking",
-    "unlisted": "summary:unlisted",
+    "missing_entries": "summary:missing_entries",
     "known": "known:known",
     "page": "page:page",
 }

@@ -73,7 +73,7 @@ def uncouple(tool: Ends, tip: Complex, joint: Complex | None = None, noise: floa
 
     It is ill-conditioned where the tip does not respond to the base: near the poles of the blank
     held at its joint, and with a blank as soft or as stiff as the whole. A short and stiff blank
-    is best, and measured responses are fitted by modes first.
+    is best, and measured responses should be fitted by modes first.
 
     noise : standard deviation of the entries of ``tip`` over their size; 0: rounding alone
 

@@ -71,14 +71,14 @@ class Pair:
 class MeasuredResponse(Description):
     """A measured response, from UFF type 58 or a CSV table."""
 
-    name: Annotated[Name, Key(default=""), "in figures and summary; by default its number"]
+    name: Annotated[Name, Key(default=""), "name in figures and summary; by default its number"]
     response: Annotated[Port, "point and direction of the motion, as of a pair of the case"]
     excitation: Annotated[Port, "point and direction of the force, as of a pair of the case"]
     frequency: Annotated[tuple[Frequency, ...], HIDDEN]
     real: Annotated[tuple[float, ...], HIDDEN]
     imaginary: Annotated[tuple[float, ...], HIDDEN]
     speed: Annotated[
-        Speed, "at which it was measured; by default that in its record, if any, else at rest"
+        Speed, "speed of the measurement; by default that in its record, if any, else at rest"
     ] = 0.0
     quantity: Annotated[str, Choice(QUANTITIES), HIDDEN] = QUANTITIES[0]
     coherence: Annotated[tuple[float, ...], HIDDEN] = ()

@@ -37,7 +37,8 @@ class MeasuredSpindle(Description):
     responses: Annotated[
         tuple[MeasuredResponse, ...],
         Items(),
-        "at the front point, between it and one behind, at that one; in y, or in y and z",
+        "measured responses at the front point, between it and a point behind, and at "
+        "that point; in y, or in y and z",
     ]
     modes: Annotated[
         Annotated[int, Whole(1, 60)] | None,

@@ -9,14 +9,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.errors import InvalidInput
-from rotordyn.numerics.pole_count import counted, of_count
-from rotordyn.numerics.pole_refinement import carried
+from rotordyn.numerics.pole_count import EXACT, counted, of_count
+from rotordyn.numerics.pole_refinement import Refined, carried
+from rotordyn.numerics.sample_noise import sample_noise
 from rotordyn.numerics.vector_fit import Fit
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 MOST = 24  # modes tried where their number is not given
-LEAST = 1e-3  # of the largest value of an entry: smaller values weigh the same
+LEAST = 1e-3  # of the largest value of an entry: smaller values weigh the same at first
+ROUNDS = 3  # fits with weights by the noise of the one before, at most
+SETTLED = 0.1  # change of ln σ of nearly all samples, apart from one of all of them, that ends them
+NEARLY = 95.0  # percent of the samples
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,14 +28,16 @@ class ModalFit:
     """Modes common to all entries of a measurement, of shape ``shape`` each.
 
     ``misfit``: root mean square of the differences of the samples from the sum, over their size;
-    for good measurements it is their noise. ``omega`` (f,) and ``size`` (f, e): of the samples.
+    for good measurements it is their noise. ``omega`` (f,) of the samples, and their estimated
+    standard ``deviation`` (f, e). ``at_most``: the number of modes is the largest that was tried.
     """
 
     fit: Fit
     shape: tuple[int, ...]
     misfit: float
     omega: Array
-    size: Array
+    deviation: Array
+    at_most: bool = False
 
     @property
     def frequency(self) -> Array:
@@ -48,18 +54,20 @@ class ModalFit:
         return self.fit(omega).reshape(len(omega), *self.shape)
 
     def carried(self, omega: Array, share: Complex) -> Array:
-        """Standard deviation (f,) of the modulus of Σ ``share`` (f, e) × entries at angular
-        frequencies (f,), from a noise of every sample as large as the misfit."""
-        weight = np.sqrt(2.0) / (max(self.misfit, 1e-300) * self.size)
-        return carried(self.fit, self.omega, weight, omega, share)
+        """Standard deviations (f, 2) of real and imaginary part of Σ ``share`` (f, e) × entries at
+        angular frequencies (f,), from the noise of the samples."""
+        return carried(self.fit, self.omega, np.sqrt(2.0) / self.deviation, omega, share)
 
 
-def modal_fit(omega: Array, values: Complex, modes: int | None = None) -> ModalFit:
+def modal_fit(
+    omega: Array, values: Complex, modes: int | None = None, coherence: Array | None = None
+) -> ModalFit:
     """Fit ``modes`` and a constant to ``values`` (f, …) at ``omega`` (f,) [rad/s], ascending; None:
     as many modes as the samples give evidence of.
 
-    The noise is taken to be in proportion to each sample. More modes than the band holds fit
-    noise.
+    Samples weigh by their noise: at first in proportion to each, then by floors and ``coherence``,
+    γ² of the shape of ``values``, as well, estimated from what the fit before leaves. More modes
+    than the band holds fit noise.
 
     Raises
     ------
@@ -80,9 +88,31 @@ def modal_fit(omega: Array, values: Complex, modes: int | None = None) -> ModalF
         raise InvalidInput("a measured receptance is not a finite number")
     size = np.maximum(np.abs(flat), LEAST * np.abs(flat).max(axis=0))
     size = np.maximum(size, 1e-300)
-    if modes is None:
-        fit = counted(omega, flat, size, min(MOST, (len(omega) - 2) // 4)).best.fit
-    else:
-        fit = of_count(omega, flat, size, modes).fit
-    misfit = float(np.sqrt(np.mean(np.abs(fit.error / size) ** 2)))
-    return ModalFit(fit, values.shape[1:], misfit, np.asarray(omega), size)
+    gamma = None if coherence is None else np.reshape(coherence, flat.shape)
+    most = min(MOST, (len(omega) - 2) // 4)
+
+    def fitted(deviation: Array) -> Refined:
+        if modes is None:
+            return counted(omega, flat, deviation, most).best
+        return of_count(omega, flat, deviation, modes)
+
+    deviation = size
+    for _ in range(ROUNDS):
+        refined = fitted(deviation)
+        misfit = float(np.sqrt(np.mean(np.abs(refined.fit.error / size) ** 2)))
+        before, deviation = deviation, _deviation(omega, refined, gamma)
+        change = np.log(deviation / before)
+        settled = np.percentile(np.abs(change - np.median(change)), NEARLY) < SETTLED
+        if settled or misfit < EXACT:
+            break
+    fit = refined.fit
+    at_most = modes is None and len(fit.pole) >= most
+    return ModalFit(fit, values.shape[1:], misfit, np.asarray(omega), deviation, at_most)
+
+
+def _deviation(omega: Array, refined: Refined, coherence: Array | None) -> Array:
+    """Return the standard deviation of the samples (f, e) from what ``refined`` leaves of them, of
+    which its unknowns take a part."""
+    fit, samples = refined.fit, 2 * refined.fit.error.size
+    part = np.sqrt(samples / max(samples - refined.unknowns, 1))
+    return part * sample_noise(omega, fit(omega), fit.error, coherence)

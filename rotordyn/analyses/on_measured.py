@@ -39,6 +39,14 @@ Complex = NDArray[np.complex128]
 CONE_PIECES = 24  # cylinders in place of a cone
 STEP = 1e-6  # of a response: of finite differences
 FEW = 0.5  # of a misfit: more modes that leave less than this are needed
+HIDDEN = 0.7  # of the tip: error by noise from which on the blank hides the spindle
+SURE = 3.0  # standard deviations of the noise, beyond which a tip is not passive
+ACTIVE = 0.01  # of the tip: positive imaginary part that is reported
+UNSUITABLE = (
+    "the blank is as stiff as the spindle, or so soft that its own flexibility hides it: take a "
+    "shorter blank, or a thicker one"
+)
+CLOSE = "take points farther apart, or a blank"
 
 
 class OnMeasured:
@@ -60,6 +68,7 @@ class OnMeasured:
         self._front, self._behind = sorted(names, key=lambda name: stations[name])
         self._spacing = stations[self._behind] - stations[self._front]
         self._beams: dict[bytes, tuple[Ends | None, Complex, Ends, Complex]] = {}
+        self._hidden: dict[str, str] = {}
 
     @cached_property
     def omega(self) -> Array:
@@ -79,27 +88,80 @@ class OnMeasured:
         InvalidInput : a blank that hides the spindle behind the noise of its responses, or too few
             modes to tell
         """
-        fit = self.fits[way]
-        try:
-            return self._tip(fit(omega), *self._parts(omega), noise=fit.misfit)
-        except InvalidInput as error:
-            why = self._too_few_modes(way) or str(error)
-            raise InvalidInput(f"measured_spindle: {why}") from None
+        if way not in self._hidden:
+            self._hidden[way] = self._why_hidden(way)
+        if why := self._hidden[way]:
+            raise InvalidInput(f"measured_spindle: {why}")
+        return self._tip(self.fits[way](omega), *self._parts(omega))
 
     def error(self, way: str, omega: Array) -> Array:
         """Standard deviation of ``tip`` from the noise of the measurement (f,) [m/N].
 
-        The noise is the misfit of the modes, independent in every sample; poles and residues
-        fitted to all of them carry it to the tip, by derivatives.
+        The noise is what the modes leave, independent in every sample; poles and residues fitted
+        to all of them carry it to the tip, by derivatives.
         """
-        fit, parts = self.fits[way], self._parts(omega)
-        values = fit(omega)
+        carried = self.fits[way].carried(omega, self._derivative(way, omega))
+        return np.asarray(np.linalg.norm(carried, axis=1))
+
+    def amplitude_error(self, way: str, omega: Array) -> Array:
+        """Standard deviation of the amplitude of ``tip`` from the same noise, over it (f,): of the
+        part of the error that is in phase with the tip."""
+        tip = self.tip(way, omega)
+        share = self._derivative(way, omega) / tip[:, None]
+        return self.fits[way].carried(omega, share)[:, 0]
+
+    def calibration(self, way: str, omega: Array) -> Array:
+        """Change of ``tip`` (f,) [m/N] over the relative error of gain, or of phase [rad], of every
+        response, the root of the sum of squares of all three.
+
+        Unlike noise, such errors are the same at all frequencies, and no average lessens them.
+        """
+        share = self._derivative(way, omega) * self.fits[way](omega)
+        return np.asarray(np.linalg.norm(share, axis=1))
+
+    def doubt(self, way: str) -> str:
+        """Sentence on what makes the tip in a plane doubtful; empty where nothing does."""
+        doubts, fit, omega = [], self.fits[way], self.omega
+        if fit.at_most:
+            doubts.append(
+                f"the {len(fit.fit.pole)} modes fitted are the most that are tried, which may be "
+                "noise: give modes, or look whether the responses are those of a linear structure"
+            )
+        tip = self.tip(way, omega)
+        positive = np.maximum(tip.imag - SURE * self.error(way, omega), 0.0)
+        share = np.linalg.norm(positive) / np.linalg.norm(tip)
+        if share > ACTIVE:
+            hertz = omega[positive.argmax()] / (2.0 * math.pi)
+            doubts.append(
+                f"the tip is that of no passive structure, by {share:.0%} of its size and most at "
+                f"{hertz:.5g} Hz: check gains and delays of the channels, and the blank"
+            )
+        return "; ".join(doubts)
+
+    def _derivative(self, way: str, omega: Array) -> Complex:
+        """Derivatives (f, 3) of the tip by the responses."""
+        values, parts = self.fits[way](omega), self._parts(omega)
         unchanged, derivative = self._tip(values, *parts), np.empty_like(values)
         for k in range(values.shape[1]):
             changed = values.copy()
             changed[:, k] *= 1.0 + STEP
             derivative[:, k] = (self._tip(changed, *parts) - unchanged) / (STEP * values[:, k])
-        return fit.carried(omega, derivative)
+        return derivative
+
+    def _why_hidden(self, plane: str) -> str:
+        """Sentence on why the tip cannot be found; empty where it can."""
+        try:
+            tip = self._tip(self.fits[plane](self.omega), *self._parts(self.omega))
+            share = np.linalg.norm(self.error(plane, self.omega)) / np.linalg.norm(tip)
+        except InvalidInput as error:
+            return self._too_few_modes(plane) or str(error)
+        if share < HIDDEN:
+            return ""
+        cause = CLOSE if self.measured.blank is None else UNSUITABLE
+        return self._too_few_modes(plane) or (
+            f"the noise of the responses makes {share:.0%} of the tip of the tool: {cause}, or "
+            "measure with less noise"
+        )
 
     def _too_few_modes(self, plane: str) -> str:
         """Sentence on why a misfit is not noise; empty where more modes do not halve it."""
@@ -144,7 +206,6 @@ class OnMeasured:
         blank_joint: Complex,
         tool: Ends,
         joint: Complex,
-        noise: float = 0.0,
     ) -> Complex:
         """Receptance of the tip (f,) from ``values`` (f, 3): front, across and behind."""
         front, across, behind = values.T
@@ -152,7 +213,7 @@ class OnMeasured:
             base = rotations(front, across, self._spacing, behind)
         else:
             rows = np.stack([front, across], -1), np.stack([across, behind], -1)
-            base = uncouple(blank, np.stack(rows, -2), blank_joint, noise)
+            base = uncouple(blank, np.stack(rows, -2), blank_joint)
         return couple(tool, base, joint)[:, 0, 0]
 
 
@@ -162,7 +223,10 @@ def _fitted(responses: tuple[MeasuredResponse, ...], modes: int | None) -> Modal
     analyses share it."""
     omega = 2.0 * math.pi * np.array(responses[0].frequency)
     values = np.array([as_quantity(response, QUANTITIES[0]) for response in responses]).T
-    return modal_fit(omega, values, modes)
+    coherence = None
+    if all(response.coherence for response in responses):
+        coherence = np.array([response.coherence for response in responses]).T
+    return modal_fit(omega, values, modes, coherence)
 
 
 def _at_nose(joints: Sequence[Joint]) -> Joint | None:

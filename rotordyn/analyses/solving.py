@@ -19,18 +19,19 @@ from rotordyn.machine.plausibility import estimates
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
 from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.expansions import of_bearing, unknown_expansions
 from rotordyn.scene.spec import Spec
 
 if TYPE_CHECKING:
     from rotordyn.scene.checks import Checks
     from rotordyn.scene.stage import Memo
 
-UNASKED_BAND = 1000.0  # Hz, where no analysis names a frequency
+DEFAULT_BAND = 1000.0  # Hz, where no analysis names a frequency
 Progress = Callable[[str], None]
 
 
 @dataclass(frozen=True, slots=True)
-class Answers:
+class MachineResults:
     """Results by analysis name; seconds by stage, and its first caller (``asked``); residuals where
     errors are estimated.
 
@@ -59,7 +60,7 @@ def solve_spindle(
     progress: Progress,
     memo: Memo | None = None,
     checks: Checks | None = None,
-) -> Answers:
+) -> MachineResults:
     """Solve ``analyses`` for a spindle at ``speeds`` [rad/s]; shared stages are solved once.
 
     ``memo``: stages of similar machines, reused where their inputs are the same; ``checks``:
@@ -94,7 +95,7 @@ def solve_spindle(
         if not all(analysis(name).unsteady for name in analyses):
             scene.require_solution()
         results, stop = _solved_in_turn(analyses, solve, progress)
-        return Answers(
+        return MachineResults(
             results,
             seconds=scene.clock.seconds,
             asked=scene.clock.asked,
@@ -134,7 +135,7 @@ def solve_bearing(
     speeds: tuple[float, ...],
     analyses: Mapping[str, Spec],
     progress: Progress,
-) -> Answers:
+) -> MachineResults:
     """Solve ``analyses`` for a single bearing at ``speeds`` [rad/s]."""
     seconds: dict[str, float] = {}
 
@@ -147,13 +148,14 @@ def solve_bearing(
 
     results, stop = _solved_in_turn(analyses, solve, progress)
     flows = [flow for spec in analyses.values() for flow in spec.heat_flows]
-    return Answers(
+    return MachineResults(
         results,
         seconds,
         dict.fromkeys(seconds, ""),
         warnings=(
             *estimates({"": bearing}),
             *(sentence for flow in flows for sentence in flow.guesses()),
+            *(unknown_expansions(of_bearing(bearing)) if flows else ()),
         ),
         notes=tuple(flow.note for flow in flows),
         stop=stop,
@@ -163,7 +165,7 @@ def solve_bearing(
 def _highest(analyses: Mapping[str, Spec], top: float) -> float:
     """Highest frequency of any analysis [Hz]; ``top``: highest speed of all rotors [rad/s]."""
     frequencies = (analysis(name).highest(spec, top) for name, spec in analyses.items())
-    return max(frequencies, default=0.0) or UNASKED_BAND
+    return max(frequencies, default=0.0) or DEFAULT_BAND
 
 
 def _ports(spindle: Spindle, analyses: Mapping[str, Spec]) -> tuple[Place, ...]:

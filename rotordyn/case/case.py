@@ -38,21 +38,21 @@ class Case(Description):
     made to them; ``sources``: of each that says so, its title and where its values come from: cases
     that differ in these alone are equal.
     ``variants``: other cases with the same speeds and analyses, by name; where there
-    are any, they are answered side by side, and the case itself is not. ``tool``: what of
+    are any, they are solved side by side, and the case itself is not. ``tool``: what of
     ``spindle`` is the tool in its nose.
     """
 
     name: Annotated[str, HIDDEN]
     title: Annotated[str, Key(default=""), "one line, shown in summary and figures"]
     speeds: Annotated[
-        tuple[Speed, ...], Items(), Sweep(), "every speed at which the analyses are answered"
+        tuple[Speed, ...], Items(), Sweep(), "every speed at which the analyses are solved"
     ]
     analyses: Annotated[
         Mapping[Name, Spec],
         ByName(),
-        "what is asked; what is not named is not computed",
+        "analyses to solve; others are not computed",
     ]
-    conditions: Annotated[Conditions, "how the machine is modelled"] = field(
+    conditions: Annotated[Conditions, "speeds, loads and model choices"] = field(
         default_factory=Conditions
     )
     spindle: Annotated[Spindle | None, "name of a model, or a path; either this or `bearing`"] = (
@@ -65,8 +65,8 @@ class Case(Description):
     uncertain: Annotated[
         Uncertain | None,
         Worded(),
-        "what is not known for certain, of which `--interval` gives the range of every result; "
-        "or `as usual` ([how](howto/intervals.md))",
+        "uncertain values, of which `--interval` gives the range of every result; or "
+        "`as usual` ([how](howto/intervals.md))",
     ] = None
     files: Annotated[tuple[Path, ...], HIDDEN] = field(default=(), compare=False)
     digest: Annotated[str, HIDDEN] = field(default="", compare=False)

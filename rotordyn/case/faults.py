@@ -36,7 +36,7 @@ class Faults:
         line, column = node.key or (node.line, node.column)
         self.add(Fault(node.file, line, column, joined(node.path, str(key)), message))
 
-    def told(self, node: Node) -> bool:
+    def is_reported(self, node: Node) -> bool:
         """Whether a fault of this value is already reported."""
         position = node.file, node.line, node.column
         positions = ((fault.file, fault.line, fault.column) for fault in self.reported)

@@ -35,13 +35,13 @@ Speeds = tuple[Speed, ...]
 class UnknownEntry:
     """A number of the case that is sought, between two ends."""
 
-    start_of_range: Annotated[Any, Key("from"), "lower end, with its unit"]
-    to: Annotated[Any, "upper end"]
-    prior: Annotated[Any, "what is known of it before; needs its deviation"] = None
+    start_of_range: Annotated[Any, Key("from"), "lower bound, with its unit"]
+    to: Annotated[Any, "upper bound, with its unit"]
+    prior: Annotated[Any, "prior value; needs a deviation"] = None
     deviation: Annotated[Any, "standard deviation of the prior"] = None
     start: Annotated[Any, "where the search begins; by default the prior, or as in the case"] = None
     also: Annotated[tuple[str, ...], Items(0), "further paths that take the same value"] = ()
-    name: Annotated[str, Key(default=""), "short one, for figures and tables"] = ""
+    name: Annotated[str, Key(default=""), "short name for figures and tables"] = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,14 +53,16 @@ class AxialCurveEntry:
     """
 
     kind: Annotated[str, "`axial curve`"]
-    file: Annotated[str, "CSV file, beside this one"]
+    file: Annotated[str, "CSV file in the folder of this one"]
     deviation: Annotated[Travel, "standard deviation of the noise"]
     of: Annotated[str, "`shaft`, or the name of a sleeve"] = "shaft"
     tare: Annotated[Travel, "standard deviation of an offset of each speed"] = 0.0
-    drift: Annotated[Travel, "of what grows evenly along the curve of each speed"] = 0.0
+    drift: Annotated[
+        Travel, "standard deviation of a linear drift along the curve of each speed"
+    ] = 0.0
     points: Annotated[
         Annotated[int, Whole(2, 100_000)] | None,
-        "evenly along each branch, force and displacement by their ranges; by default all",
+        "number of points kept of each branch, at equal arc lengths; by default all",
     ] = None
     lowest: Annotated[Force | None, "lowest force of the cycle; by default of the points"] = None
     highest: Annotated[Force | None, "highest force of the cycle"] = None
@@ -72,8 +74,10 @@ class NoLoadEntry:
 
     kind: Annotated[str, "`no load`"]
     deviation: Annotated[Travel, "standard deviation of the noise"]
-    speeds: Annotated[Speeds, Items(), "of the points"]
-    displacements: Annotated[Lengths, Items(), "towards +x, from rest, at each speed"]
+    speeds: Annotated[Speeds, Items(), "speeds of the points"]
+    displacements: Annotated[
+        Lengths, Items(), "displacements towards +x from the position at rest, one for each speed"
+    ]
     of: Annotated[str, "`shaft`, or the name of a sleeve"] = "shaft"
     tare: Annotated[Travel, "standard deviation of an offset of all points"] = 0.0
 
@@ -84,13 +88,15 @@ class AxialStiffnessEntry:
 
     kind: Annotated[str, "`axial stiffness`"]
     deviation: Annotated[Rigidity, "standard deviation of the noise"]
-    speeds: Annotated[Speeds, Items(), "of the points"]
-    stiffnesses: Annotated[tuple[Rigidity, ...], Items(), "at each speed"]
-    branch: Annotated[str, Choice(BRANCHES), "of the cycle of force"]
+    speeds: Annotated[Speeds, Items(), "speeds of the points"]
+    stiffnesses: Annotated[tuple[Rigidity, ...], Items(), "stiffnesses, one for each speed"]
+    branch: Annotated[str, Choice(BRANCHES), "branch of the force cycle"]
     lowest: Annotated[Force, "lowest force of the cycle"]
     highest: Annotated[Force, "highest force of the cycle"]
-    near: Annotated[Force, "it is read so much either side of `about`"] = 100.0
-    about: Annotated[Force, "force about which it is read"] = 0.0
+    near: Annotated[Force, "half of the force range over which the secant stiffness is taken"] = (
+        100.0
+    )
+    about: Annotated[Force, "force at the middle of that range"] = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,10 +104,13 @@ class StopEntry:
     """A sleeve that just meets its stop, `kind: stop met`."""
 
     kind: Annotated[str, "`stop met`"]
-    deviation: Annotated[Travel, "standard deviation of the way of the sleeve"]
-    sleeve: Annotated[Name, "that meets its stop"]
-    speed: Annotated[Speed, "at which it does"]
-    force: Annotated[Force | None, "at which it does, on the falling branch; none: at idle"] = None
+    deviation: Annotated[Travel, "standard deviation of the travel of the sleeve"]
+    sleeve: Annotated[Name, "sleeve that meets its stop"]
+    speed: Annotated[Speed, "speed at which the stop is met"]
+    force: Annotated[
+        Force | None,
+        "axial force on the falling branch at which the stop is met; none: without force",
+    ] = None
     lowest: Annotated[Force | None, "lowest force of the cycle"] = None
     highest: Annotated[Force | None, "highest force of the cycle"] = None
 
@@ -115,12 +124,14 @@ class NumbersEntry:
         str, "`analysis.variable` of its dataset, or `analysis: words` of a headline number"
     ]
     deviation: Annotated[str, "standard deviation of the noise, with its unit"]
-    speeds: Annotated[Speeds, Items(), "of the points"]
-    values: Annotated[tuple[str, ...], Items(), "at each speed, with their unit"]
+    speeds: Annotated[Speeds, Items(), "speeds of the points"]
+    values: Annotated[tuple[str, ...], Items(), "values, one for each speed, with their unit"]
     where: Annotated[
         Mapping[str, Any], "coordinate to a word (`*` any letters) or a number, besides speed"
     ] = field(default_factory=dict)
-    nearest: Annotated[bool, "of several values at a speed the nearest counts, as of modes"] = False
+    nearest: Annotated[bool, "compare the nearest of several values at a speed, as of modes"] = (
+        False
+    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,10 +150,10 @@ class ResponsesEntry:
     ] = None
     averages: Annotated[
         Annotated[int, Whole(1, 1_000_000)] | None,
-        "spectra averaged: noise follows from the coherence in the files instead",
+        "number of averaged spectra: noise follows from the coherence in the files instead",
     ] = None
     gain: Annotated[
-        Share, "standard deviation of an unknown factor of every response over 1, as of sensors"
+        Share, "standard deviation of an unknown calibration factor of every response, over 1"
     ] = 0.0
 
 
@@ -151,15 +162,17 @@ class ModesEntry:
     """Frequencies and dampings of bending modes over speed, `kind: modes`."""
 
     kind: Annotated[str, "`modes`"]
-    speeds: Annotated[Speeds, Items(), "of the modes, one for each"]
-    frequencies: Annotated[tuple[Frequency, ...], Items(), "without damping, |λ|/2π"]
-    deviation: Annotated[Share, "standard deviation of frequencies, over each"]
-    dampings: Annotated[tuple[DampingRatio, ...] | None, Items(), "ratios"] = None
-    damping_deviation: Annotated[Share | None, "of dampings, over each"] = None
+    speeds: Annotated[Speeds, Items(), "speeds of the modes, one for each"]
+    frequencies: Annotated[tuple[Frequency, ...], Items(), "undamped natural frequencies"]
+    deviation: Annotated[Share, "relative standard deviation of the frequencies"]
+    dampings: Annotated[tuple[DampingRatio, ...] | None, Items(), "damping ratios"] = None
+    damping_deviation: Annotated[
+        Share | None, "relative standard deviation of the damping ratios"
+    ] = None
     whirls: Annotated[
         tuple[Annotated[str, Choice(("forward", "backward"))], ...] | None,
         Items(),
-        "which way each whirls; else the nearest frequency counts",
+        "direction of whirl of each mode; otherwise the nearest frequency is taken",
     ] = None
 
 
@@ -168,9 +181,9 @@ class PhaseEntry:
     """A model of a story: which unknowns it seeks, what it holds."""
 
     unknowns: Annotated[
-        tuple[str, ...] | None, Items(), "those it seeks, by name or path; all by default"
+        tuple[str, ...] | None, Items(), "unknowns sought, by name or path; all by default"
     ] = None
-    values: Annotated[Mapping[str, Any], "dotted path to a value that it holds"] = field(
+    values: Annotated[Mapping[str, Any], "dotted path to a fixed value"] = field(
         default_factory=dict
     )
 
@@ -179,10 +192,10 @@ class PhaseEntry:
 class PredictedEntry:
     """A number of the case that is said of the identified machine."""
 
-    of: Annotated[str, "as of a goal"]
-    where: Annotated[Mapping[str, Any], "as of a goal"] = field(default_factory=dict)
-    name: Annotated[str, Key(default=""), "in tables"] = ""
-    measured: Annotated[str | None, "shown beside it, with its unit"] = None
+    of: Annotated[str, "number, as in a goal"]
+    where: Annotated[Mapping[str, Any], "selection, as in a goal"] = field(default_factory=dict)
+    name: Annotated[str, Key(default=""), "name in tables"] = ""
+    measured: Annotated[str | None, "measured value for comparison, with its unit"] = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -191,31 +204,33 @@ class IdentificationFile:
 
     title: Annotated[str, Key(default=""), "one line, shown in summary and figures"]
     case: Annotated[str, "path of a case file, or the name of a case that comes with rotordyn"]
-    unknowns: Annotated[Mapping[str, UnknownEntry], "dotted path, as of `vary`, to its ends"]
+    unknowns: Annotated[Mapping[str, UnknownEntry], "dotted path, as in `vary`, to its bounds"]
     measurements: Annotated[
-        Mapping[str, Any], "name to what was measured, each with a `kind` of its own keys"
+        Mapping[str, Any], "name to a measurement, whose `kind` decides its keys"
     ]
     hypotheses: Annotated[
-        Mapping[str, Any], "dotted path to a list of values; every combination is held against all"
+        Mapping[str, Any], "dotted path to a list of values; every combination is a model"
     ] = field(default_factory=dict)
-    phases: Annotated[Mapping[str, PhaseEntry], "name to a model of a story, side by side"] = field(
-        default_factory=dict
-    )
+    phases: Annotated[
+        Mapping[str, PhaseEntry], "name to a phase, a model with its own unknowns"
+    ] = field(default_factory=dict)
     predict: Annotated[
-        tuple[PredictedEntry, ...], Items(0), "said of the identified machine, with intervals"
+        tuple[PredictedEntry, ...],
+        Items(0),
+        "numbers of the identified machine to compute, with intervals",
     ] = ()
     profiles: Annotated[
         Annotated[str, Choice((ALL,))] | tuple[str, ...],
-        "unknowns, by path or name, or `all`, whose intervals are found by profiles, too",
+        "unknowns, by path or name, or `all`, whose intervals are also found by profile likelihood",
     ] = ()
     criterion: Annotated[
         str | None, "mean absolute difference up to which a model suffices; by default χ² decides"
     ] = None
     minimise: Annotated[
-        str, Choice(MINIMISED), "squares of differences, or their absolute mean"
+        str, Choice(MINIMISED), "what is minimised: squares of differences, or their absolute mean"
     ] = MINIMISED[0]
-    starts: Annotated[int, Whole(1, MOST_STARTS), "of each search"] = 1
-    seed: Annotated[int, Whole(0, 2**31 - 1), "of the starts besides the first"] = 0
+    starts: Annotated[int, Whole(1, MOST_STARTS), "number of starts of each search"] = 1
+    seed: Annotated[int, Whole(0, 2**31 - 1), "random seed of the starts after the first"] = 0
 
 
 KINDS: dict[str, type] = {

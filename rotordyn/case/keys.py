@@ -13,7 +13,7 @@ from typing import Annotated, Any
 
 from bearings.bearing import BallBearing
 from bearings.kinds import DEFAULT, KINDS, kind_class
-from bearings.materials import STEEL, Material
+from bearings.materials import Material
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.measured_response import MeasuredResponse, Port
 from rotordyn.analyses.stability_lobes.workpiece import Workpiece
@@ -110,7 +110,7 @@ class PortMatrix(Description):
 class Variant:
     """What one variant replaces (machine, title) or adds (overrides, conditions, references)."""
 
-    title: Annotated[str, "what figures and summary call it; by default its name"] = ""
+    title: Annotated[str, "title in figures and summary; by default its name"] = ""
     spindle: Annotated[Any, "another spindle"] = None
     tool: Annotated[Any, "another tool"] = None
     bearing: Annotated[Any, "another single bearing"] = None
@@ -143,7 +143,7 @@ class _Case:
     ] = field(default_factory=dict)
     compare: Annotated[
         Mapping[Name, Variant],
-        "name of a variant -> what it changes; the variants are answered side by side",
+        "name of a variant -> what it changes; the variants are solved side by side",
     ] = field(default_factory=dict)
 
 
@@ -159,7 +159,7 @@ class _Measured:
     ]
     record: Annotated[
         Annotated[int, Whole(1, 1_000_000)] | None,
-        "of type 58, counted from 1; needed where there are several",
+        "record of type 58, counted from 1; needed where there are several",
     ] = None
 
 
@@ -219,7 +219,7 @@ class Printed:
     Lists have one value for each preload class of a pair back to back.
     """
 
-    preloads: Annotated[tuple[LightLoad, ...], "of the pair"] = ()
+    preloads: Annotated[tuple[LightLoad, ...], "preloads of the pair"] = ()
     rigidities: Annotated[tuple[Stiff, ...], "axial, of the pair at each preload"] = ()
     unloading: Annotated[
         tuple[LightLoad, ...], "axial force that unloads one of the pair at each preload"
@@ -230,14 +230,18 @@ class Printed:
 
 @dataclass
 class _Bearing:
-    name: Annotated[str, "as printed"]
-    kind: Annotated[str, Choice(tuple(KINDS)), "which keys it has besides these"] = DEFAULT
+    name: Annotated[str, "designation as printed"]
+    kind: Annotated[str, Choice(tuple(KINDS)), "kind of bearing, which decides the other keys"] = (
+        DEFAULT
+    )
     source: Source = ""
-    note: Annotated[str, "what is estimated"] = ""
-    bore_diameter: Annotated[Diameter | None, "of the inner ring"] = None
-    outside_diameter: Annotated[Diameter | None, "of the outer ring"] = None
-    width: Annotated[Length | None, "of the rings"] = None
-    preloads: Annotated[tuple[LightLoad, ...], "of a pair by class: light, medium, heavy"] = ()
+    note: Annotated[str, "remark, such as what is estimated"] = ""
+    bore_diameter: Annotated[Diameter | None, "bore of the inner ring"] = None
+    outside_diameter: Annotated[Diameter | None, "outside diameter of the outer ring"] = None
+    width: Annotated[Length | None, "width of the rings"] = None
+    preloads: Annotated[
+        tuple[LightLoad, ...], "preloads of a pair by class: light, medium, heavy"
+    ] = ()
     estimate: Annotated[
         Printed | None,
         "printed values by which balls and grooves that are not given are estimated, of kind "
@@ -249,13 +253,15 @@ class _Bearing:
 class _Elastic:
     """The fields of a material, which ``bearings`` keeps without units."""
 
-    name: Annotated[str, "as printed"]
+    name: Annotated[str, "name as printed"]
     young_modulus: Annotated[float, Quantity("pressure", at_least="1 GPa", at_most="2000 GPa"), "E"]
     poisson_ratio: Annotated[float, Quantity("number", above="-1", below="0.5"), "ν"]
     density: Annotated[
         float, Quantity("density", at_least="100 kg/m^3", at_most="30000 kg/m^3"), "ρ"
     ]
-    thermal_expansion: Annotated[ThermalExpansion, "linear, α"] = STEEL.thermal_expansion
+    thermal_expansion: Annotated[
+        ThermalExpansion | None, "linear, α; by default that of steel, 1.15e-5 1/K"
+    ] = None
 
 
 @dataclass

@@ -237,7 +237,11 @@ class Reading:
         entry = node.child(*path)
         if path and entry is not None:
             entry = entry.named or entry  # a file as a whole has no key to put right
-        if message.startswith("missing key") and entry is not None and self.faults.told(entry):
+        if (
+            message.startswith("missing key")
+            and entry is not None
+            and self.faults.is_reported(entry)
+        ):
             return  # its value is faulty and reported already
         if entry is None and message.startswith("missing key"):
             self.faults.missing(node.at(*path[:-1]), path[-1], message)

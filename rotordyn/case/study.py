@@ -26,9 +26,11 @@ class SpanEntry:
     to: Annotated[Any, "highest value"]
     points: Annotated[
         Annotated[int, Whole(2, MOST_POINTS)] | None,
-        "how many, ends included; none of a sample",
+        "number of points, ends included; none of a sample",
     ] = None
-    spacing: Annotated[str, Choice(SPACINGS), "by equal steps, or by equal ratios"] = SPACINGS[0]
+    spacing: Annotated[
+        str, Choice(SPACINGS), "equal steps (`linear`) or equal ratios (`ratio`)"
+    ] = SPACINGS[0]
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,7 +49,7 @@ class StudyFile:
     samples: Annotated[
         Annotated[int, Whole(1, MOST_DRAWN)] | None, "points of a sample; of sobol a power of two"
     ] = None
-    seed: Annotated[int, Whole(0, 2**31 - 1), "of a sample"] = 0
+    seed: Annotated[int, Whole(0, 2**31 - 1), "random seed of a sample"] = 0
     analyses: Annotated[
         tuple[Name, ...], Items(0), "analyses of the case that are solved; by default all"
     ] = ()
@@ -62,12 +64,14 @@ class GoalEntry:
 
     highest: Annotated[
         str | None,
-        "`analysis: words`, headline numbers that begin so, or `analysis.variable` of a dataset",
+        "numbers to maximise: `analysis: words`, headline numbers that begin so, or "
+        "`analysis.variable` of a dataset",
     ] = None
-    lowest: Annotated[str | None, "the same"] = None
+    lowest: Annotated[str | None, "numbers to minimise, given likewise"] = None
     where: Annotated[
         Mapping[str, Any],
-        "of a variable: coordinate to a word (`*` any letters), a number, or [from, to]",
+        "selection from a variable: coordinate to a word (`*` any letters), a number, "
+        "or [from, to]",
     ] = field(default_factory=dict)
 
 
@@ -75,13 +79,13 @@ class GoalEntry:
 class LimitEntry:
     """What the best machine keeps; one bound or more."""
 
-    of: Annotated[str, "as of a goal"]
-    where: Annotated[Mapping[str, Any], "as of a goal"] = field(default_factory=dict)
+    of: Annotated[str, "numbers, as in a goal"]
+    where: Annotated[Mapping[str, Any], "selection, as in a goal"] = field(default_factory=dict)
     at_least: Annotated[Any, "lowest value, with its unit"] = None
     at_most: Annotated[Any, "highest value, with its unit"] = None
     outside: Annotated[Any, "[from, to]: no value between these"] = None
     absent: Annotated[
-        str, Choice(ABSENT), "whether a number that is absent, such as `none`, keeps the limit"
+        str, Choice(ABSENT), "whether a missing number, such as `none`, satisfies the limit"
     ] = ABSENT[0]
 
 
@@ -93,6 +97,6 @@ class OptimumFile:
     case: Annotated[str, "path of a case file, or the name of a case that comes with rotordyn"]
     vary: Annotated[Mapping[str, Any], "dotted path to a list of choices, or to a span (from, to)"]
     goals: Annotated[tuple[GoalEntry, ...], Items(), "one, or two whose trade-off is sought"]
-    limits: Annotated[tuple[LimitEntry, ...], Items(0), "that the best keeps"] = ()
-    trials: Annotated[int, Whole(1, MOST_TRIALS), "machines that are solved at most"] = 300
-    seed: Annotated[int, Whole(0, 2**31 - 1), "of the search"] = 0
+    limits: Annotated[tuple[LimitEntry, ...], Items(0), "limits that the best machine keeps"] = ()
+    trials: Annotated[int, Whole(1, MOST_TRIALS), "largest number of machines to solve"] = 300
+    seed: Annotated[int, Whole(0, 2**31 - 1), "random seed of the search"] = 0

@@ -29,12 +29,12 @@ class Uncertain(Description):
 
     as_usual: Annotated[
         bool,
-        "what is usually uncertain of such a machine, besides what is given "
+        "the usual uncertainties of such a machine, in addition to those given "
         "([list](howto/intervals.md#as-usual))",
     ] = False
     hypotheses: Annotated[
         Mapping[str, tuple[Any, ...] | str],
-        "a condition such as `kinematics`, or a dotted path, to the values it may have, or `all`",
+        "condition such as `kinematics`, or dotted path, to its possible values, or `all`",
     ] = field(default_factory=dict)
     tolerances: Annotated[
         Mapping[str, str],
@@ -44,7 +44,7 @@ class Uncertain(Description):
         Annotated[int, Whole(LEAST_SAMPLES, MOST_SAMPLES)] | None,
         "machines drawn at random within the tolerances (Latin hypercube), instead of a few runs",
     ] = None
-    seed: Annotated[int, Whole(0, 2**31 - 1), "of these"] = 0
+    seed: Annotated[int, Whole(0, 2**31 - 1), "random seed of the samples"] = 0
     sensitivities: Annotated[
         Mapping[str, str | None],
         "dotted path to the range over which its influence is stated, as a tolerance, or nothing",

@@ -1,4 +1,4 @@
-"""Change values at dotted paths of a frozen description (``"spindle.bearings.a.station"``)."""
+"""Change values at dotted paths of a frozen description (``"spindle.bearings.a.x"``)."""
 
 from __future__ import annotations
 
@@ -166,7 +166,7 @@ def _fields(old: Any, changes: Sequence[_Change]) -> Any:
     if isinstance(old, BearingSeat):
         whole = [change.value for change in groups.get("bearing", ()) if not change.steps]
         if any(each != old.bearing for each in whole):
-            new |= {"model": "", "preloads": ()}  # of the one that was result
+            new |= {"model": "", "preloads": ()}  # of the previous bearing
     if isinstance(arrangement := new.get("arrangement"), BearingSet):
         turned = arrangement.turned(old.seats)
         new["seats"] = _value(fields["seats"].annotation, turned, groups.setdefault("seats", []))

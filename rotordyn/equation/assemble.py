@@ -22,7 +22,7 @@ from rotordyn.equation.connection import Connection
 from rotordyn.equation.constraint import allowed_motions, strained_motions
 from rotordyn.equation.groups import first_joined, join
 from rotordyn.equation.hysteresis import Hysteresis
-from rotordyn.equation.linear import Linear, planes_alike, planes_of
+from rotordyn.equation.linear import Linear, planes_identical, planes_of
 from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import Link, LinkMatrices, State
 from rotordyn.machine.support import SPINDLE
@@ -91,7 +91,7 @@ def assemble(
         if connection.matrices.damping.any():
             damping += connection.damping
     linear = replace(linear, connections=tuple(connections), loss=_loss(linear, connections))
-    linear = replace(linear, isotropic=planes_alike(linear))
+    linear = replace(linear, isotropic=planes_identical(linear))
     allowed = _allowed(linear, connections)
     if allowed is None:
         return linear

@@ -59,7 +59,7 @@ class FreeMotions:
     @cached_property
     def _chosen(self) -> tuple[Indices, Flags]:
         """Columns of ``modes`` (s, k), and which of them only fill up a row."""
-        columns, number = self.modes.one_of_each_pair()
+        columns, number = self.modes.representatives()
         return columns, number == 0.0
 
     @cached_property
@@ -155,7 +155,7 @@ class FreeMotions:
 
     @cached_property
     def growing(self) -> Flags:
-        """Unstable motions (s, k); vibrations only as far as their mass is the machine's."""
+        """Unstable motions (s, k); vibrations only below ``Fineness.own_mass``, if shafts bend."""
         pole, structure = self.modes.pole, self.linear.structure
         limit = math.inf if structure.rigid else structure.fine.own_mass
         growing = grows(pole, self.modes.largest) & ~self._free & (np.abs(pole.imag) < limit)
@@ -180,7 +180,7 @@ class FreeMotions:
         return self._each(total)
 
     def turning_receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:
-        """Return the same in a frame rotating with the shaft, where ω is whirl at ω + Ω."""
+        """Return receptances in a frame rotating with the shaft: whirl at ω + Ω has ω there."""
 
         def evaluate(rows: Array, other: Array) -> Complex:
             parts = []

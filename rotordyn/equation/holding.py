@@ -67,7 +67,7 @@ def held_stiffness(structure: Structure, state: State) -> Array:
     return np.asarray(flat - flat @ rows @ np.linalg.solve(linear.stiffness, rows.T @ flat))
 
 
-def unheld_motions(spindle: Spindle) -> Array:
+def unrestrained_motions(spindle: Spindle) -> Array:
     """Return the free motions of the rigid shaft (6, k), orthonormal.
 
     They are motions of the front end, in lengths (``length_scale``).
@@ -95,7 +95,7 @@ def _largest(support: LinearSupport) -> dict[tuple[str, str], float]:
     }
 
 
-def holds_twice(spindle: Spindle) -> bool:
+def has_redundant_supports(spindle: Spindle) -> bool:
     """True if rigid supports are redundant for the shaft as a rigid body."""
     scale, front = length_scale(spindle), spindle.shaft.start
     rows = [np.zeros((0, 6))]

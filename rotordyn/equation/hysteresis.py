@@ -29,7 +29,7 @@ from rotordyn.equation.connection import at_rows
 from rotordyn.numerics.continued import collected, conjugate, continued
 from rotordyn.numerics.correct import corrected, participation
 from rotordyn.numerics.follow import mac
-from rotordyn.numerics.modes import Modes, modes, residual, swings
+from rotordyn.numerics.modes import Modes, modes, oscillates, residual
 
 MET = 1e-9  # of the larger: frequencies this close are the same
 WIDE = 0.3  # of a frequency, which a loss factor of 1 moves by 0.1: farther off its sign is clear
@@ -125,7 +125,7 @@ class Hysteretic:
             participation=plain.participation.copy(),
         )
         size = np.abs(plain.pole)
-        frequency = np.where(swings(plain.pole), np.abs(plain.pole.imag), size)
+        frequency = np.where(oscillates(plain.pole), np.abs(plain.pole.imag), size)
         chosen = (frequency < self.ceiling) & ~plain.at_rest()
         chosen &= (plain.pole.imag >= 0.0) | self.whirling
         count = chosen.sum(axis=1)
@@ -222,7 +222,7 @@ class Hysteretic:
 
     def _signs(self, pole: Complex, spin: Array | None = None) -> Indices:
         """Return the signs of free motions (s, k, 3); over both planes those of |Im λ|."""
-        omega = np.where(swings(pole), pole.imag, 0.0)
+        omega = np.where(oscillates(pole), pole.imag, 0.0)
         one_way = omega if self.whirling else np.abs(omega)
         spins = self.spin[:, None] if spin is None else spin
         return signs_of(one_way, spins, whirling=self.whirling)

@@ -25,7 +25,7 @@ from rotordyn.equation.constraint import DEPENDENT
 from rotordyn.equation.dofs import DIRECTIONS, position
 from rotordyn.equation.hysteresis import Hysteresis
 from rotordyn.equation.structure import Structure
-from rotordyn.equation.support import answers_alike
+from rotordyn.equation.support import is_isotropic
 from rotordyn.equation.term import LinkMatrices
 
 STRAINED = 1e-13  # of a link's largest motion: a smaller one is rounding
@@ -74,7 +74,7 @@ class Linear:
         return matrix
 
     def scaled(self, stiffness: Array, damping: Array) -> Linear:
-        """Return it with factors (s,) on stiffness and damping, the gyroscopic excepted."""
+        """Return the subsystem with factors (s,) on stiffness and damping but not gyroscopic."""
         stiff, damped, spin = (factor[:, None, None] for factor in (stiffness, damping, self.speed))
         turning, gyroscopic = spin * self.turning, spin * self.gyroscopic
 
@@ -225,7 +225,7 @@ class Linear:
         return forces
 
 
-def planes_alike(linear: Linear) -> bool:
+def planes_identical(linear: Linear) -> bool:
     """True if both planes obey the same equations at every speed."""
     firsts = [c for c in linear.components if c.way == "y"]
     seconds = [c for c in linear.components if c.way == "z"]
@@ -241,7 +241,7 @@ def planes_alike(linear: Linear) -> bool:
     ):
         return False
     return all(
-        answers_alike(part)
+        is_isotropic(part)
         for connection in linear.connections
         for part in (*connection.matrices, np.diag(connection.rigid))
         if part.shape[-1] == len(DIRECTIONS)

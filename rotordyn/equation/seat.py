@@ -22,7 +22,8 @@ NOISE = 1e-12  # of the direct stiffness of two directions: less coupling is rou
 
 
 def seat_matrices(seat: BearingSeat, place: int) -> AtState:
-    """Return the tangent of bearing number ``place`` in the spindle's frame, and its dampers."""
+    """Return a function of the state: tangent (s, 6, 6) in the spindle's frame of bearing number
+    ``place``, and its dampers."""
     damping = np.diag([seat.axial_damping, *[seat.radial_damping] * 2, 0.0, 0.0, 0.0])
     return lambda state: LinkMatrices(state.tangents[:, place], damping[None])
 

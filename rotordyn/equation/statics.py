@@ -138,7 +138,7 @@ def _rotor(structure: Structure, linear: Linear, dof: tuple[int, ...], point: Ar
     return StaticRotor(dof, stiffness, rings @ linear.basis, load, 0.0 * load)
 
 
-def withstands(structure: Structure, state: State, force: Array, pull: float = 1.0) -> Flags:
+def stays_stable(structure: Structure, state: State, force: Array, pull: float = 1.0) -> Flags:
     """Return the states (s,) in which the axial ``force`` (s, elements) [N] leaves bending stable.
 
     The symmetric stiffness of bending must have as many negative eigenvalues as without axial
@@ -164,7 +164,7 @@ def _bending(structure: Structure, state: State, force: Array | None, pull: floa
 
 
 def _negative(matrix: Array) -> Array:
-    """Return the number of negative eigenvalues (s,) of the symmetric part, or infinity."""
+    """Return the number of negative eigenvalues (s,) of the symmetric part; infinity if unknown."""
     matrix = 0.5 * (matrix + np.swapaxes(matrix, 1, 2))
     finite = np.asarray(np.isfinite(matrix).all(axis=(1, 2)))
     size = np.sqrt(np.abs(np.diagonal(matrix, axis1=1, axis2=2)))

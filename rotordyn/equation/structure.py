@@ -49,7 +49,8 @@ class Structure:
 
     ``shown``: nodes at which motion is displayed; ``fine``: fineness of elements and reduction;
     ``ports``: further places at which forces act or motion is read; ``rigid``: shafts do not bend;
-    ``pressed``: an axial force is given that may approach buckling; ``coarse``: at lower degrees.
+    ``pressed``: an axial force is given that may approach buckling; ``coarse``: structure of
+    lower degrees, or None.
 
     Raises
     ------

@@ -66,7 +66,7 @@ def support_matrices(support: LinearSupport, which: str, speed: Array) -> Array:
     return np.array(matrices).reshape(-1, 6, 6)
 
 
-def answers_alike(matrix: Array) -> bool:
+def is_isotropic(matrix: Array) -> bool:
     """True if a node's (…, 6, 6) matrix is the same in all directions about the axis.
 
     It must not change under a quarter turn about x: y → z, z → −y, and tilts likewise.

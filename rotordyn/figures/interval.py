@@ -216,12 +216,12 @@ def _beyond(axes: Axes, held: Interval, place: int, curve: Curve) -> None:
 
 
 def _ends(held: Interval, shown: Sequence[tuple[str, Curve]], series: Sequence[str]) -> list[End]:
-    """Return the ends of the nominal curves that reach the right edge."""
+    """Return the ends of the named nominal curves that reach the right edge."""
     last = [(c, held.curve_nominal[held.rows_of(held.curve.index(key))][-1]) for key, c in shown]
     return [
         End(float(y), curve.end, line_of(series.index(curve.series))["color"], 0)
         for curve, y in last
-        if np.isfinite(y)
+        if curve.end and np.isfinite(y)
     ]
 
 

@@ -46,7 +46,7 @@ def outside_of(seat: BearingSeat) -> float:
 def bore_of(seat: BearingSeat, shaft_radius: float) -> float:
     """Return the radius of the bore of the inner ring as drawn [mm].
 
-    It is that of the shaft [m], unless the model gives a bore that the shaft does not fit.
+    It is ``shaft_radius`` [m], unless the model gives a bore that the shaft does not fit.
     """
     bore = seat.sizes.get("bore_diameter", 2.0 * shaft_radius) / 2.0
     if abs(bore - shaft_radius) > MISFIT * shaft_radius:
@@ -56,7 +56,8 @@ def bore_of(seat: BearingSeat, shaft_radius: float) -> float:
 
 
 def draw_bearing(sketch: Sketch, seat: BearingSeat, width: float, shaft_radius: float) -> None:
-    """Draw a bearing [m]: upper half cut with ball and contact lines, lower half a crossed box."""
+    """Draw a bearing, [m] in, [mm] out: upper half cut with ball and contact lines, lower half a
+    crossed box."""
     ball, pitch = seat.bearing.ball_diameter * 1e3, seat.bearing.pitch_diameter * 500.0
     left, right, x = (seat.x - width / 2.0) * 1e3, (seat.x + width / 2.0) * 1e3, seat.x * 1e3
     bore, outside = bore_of(seat, shaft_radius), outside_of(seat)
@@ -144,7 +145,8 @@ def draw_sleeve(
 
 
 def draw_drawbar(sketch: Sketch, bar: Drawbar, shaft: Shaft) -> None:
-    """Draw the drawbar [m] in the cut half of the bore, as wide as the bore if guided everywhere.
+    """Draw the drawbar, [m] in, [mm] out, in the upper half of the bore, which it fills if guided
+    everywhere.
 
     It has a plate at either end, where it pulls the shaft, and a ring at every guide.
     """

@@ -170,15 +170,13 @@ def _plan(solution: Solution, seconds: Mapping[str, float], omitted: Omitted) ->
     """Text on how every part was solved, and the time of writing and drawing."""
     from rotordyn.report.plan import plan
 
-    around = {
-        name: answers for name, answers in seconds.items() if name in ("write", "draw", "report")
-    }
+    around = {name: spent for name, spent in seconds.items() if name in ("write", "draw", "report")}
     texts = []
-    for name, (_, answers) in solution.parts.items():
+    for name, (_, machine) in solution.parts.items():
         last = not solution.case.variants
-        skipped = answers.skipped | (omitted.figures if last else {})
+        skipped = machine.skipped | (omitted.figures if last else {})
         job = around if last else {}
-        text = plan(answers.seconds, answers.asked, answers.spared, skipped, job)
+        text = plan(machine.seconds, machine.asked, machine.spared, skipped, job)
         texts.append(f"{name}: {text}" if name else text)
     return "\n".join(texts)
 
@@ -238,10 +236,10 @@ def _write_record(
         inputs=inputs_of(case),
         settings=_settings(solution),
         outcomes=outcomes(solution.results),
-        tolerances=solution.by_part(lambda answers: answers.tolerances),
-        stages={**seconds, **solution.by_part(lambda answers: answers.seconds)},
+        tolerances=solution.by_part(lambda machine: machine.tolerances),
+        stages={**seconds, **solution.by_part(lambda machine: machine.seconds)},
         figures=drawn,
-        skipped={**unasked, **solution.by_part(lambda answers: answers.skipped), **omitted.figures},
+        skipped={**unasked, **solution.by_part(lambda machine: machine.skipped), **omitted.figures},
         warnings=results.warnings,
         notes=(*results.notes, *omitted.sentences),
         unsolved=results.unsolved,

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from bearings.arguments import typed
 from bearings.errors import shown
 from rotordyn.allowance import Stop
-from rotordyn.analyses.solving import Answers, Progress
+from rotordyn.analyses.solving import MachineResults, Progress
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
 from rotordyn.figures.style import USUAL_FORMATS
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Solution:
-    """A solved case: ``parts`` by the name of their folder, each with its case and answers.
+    """A solved case: ``parts`` by the name of their folder, each with its case and results.
 
     A case without variants is one part, named "". ``lost``: reasons why variants have no solution;
     ``seconds`` by stage; ``intervals`` by part; ``stop``: what ended the run before the analyses
@@ -37,7 +37,7 @@ class Solution:
     """
 
     case: Case
-    parts: dict[str, tuple[Case, Answers]]
+    parts: dict[str, tuple[Case, MachineResults]]
     lost: tuple[str, ...] = ()
     seconds: dict[str, float] = field(default_factory=dict)
     intervals: Mapping[str, Interval] = field(default_factory=dict)
@@ -55,19 +55,19 @@ class Solution:
     @property
     def results(self) -> dict[str, Any]:
         """Results by their name in files: ``analysis`` or ``variant/analysis``."""
-        return self.by_part(lambda answers: answers.results)
+        return self.by_part(lambda machine: machine.results)
 
-    def by_part(self, mapping: Callable[[Answers], Mapping[str, Any]]) -> dict[str, Any]:
-        """Join a ``mapping`` of the answers of all parts, keys preceded by the variant."""
+    def by_part(self, mapping: Callable[[MachineResults], Mapping[str, Any]]) -> dict[str, Any]:
+        """Join a ``mapping`` of the results of all parts, keys preceded by the variant."""
         return {
             f"{part}/{key}" if part else key: value
-            for part, (_, answers) in self.parts.items()
-            for key, value in mapping(answers).items()
+            for part, (_, machine) in self.parts.items()
+            for key, value in mapping(machine).items()
         }
 
-    def sentences(self, of: Callable[[Answers], Iterable[str]]) -> tuple[str, ...]:
+    def sentences(self, of: Callable[[MachineResults], Iterable[str]]) -> tuple[str, ...]:
         """What is ``of`` of every part, each sentence once, led by the names of its variants."""
-        return by_variant({part: of(answers) for part, (_, answers) in self.parts.items()})
+        return by_variant({part: of(machine) for part, (_, machine) in self.parts.items()})
 
 
 class SolvedResults(Results):
@@ -110,13 +110,13 @@ class SolvedResults(Results):
 
         solution = self.solution
         sentences = solution.sentences(
-            lambda answers: (*answers.warnings, *result_warnings(answers.results))
+            lambda machine: (*machine.warnings, *result_warnings(machine.results))
         )
         return (*solution.unsolved, *sentences)
 
     @cached_property
     def notes(self) -> tuple[str, ...]:
-        notes = self.solution.sentences(lambda answers: answers.notes)
+        notes = self.solution.sentences(lambda machine: machine.notes)
         if self.case.uncertain is None or self.held_intervals:
             return notes
         return (*notes, "parts of the case are uncertain: run it with --interval for the ranges")
@@ -135,7 +135,7 @@ class SolvedResults(Results):
     @property
     def _lost(self) -> tuple[str, ...]:
         """Reasons why speeds have no solution."""
-        return self.solution.sentences(lambda answers: unsolved(answers.results))
+        return self.solution.sentences(lambda machine: unsolved(machine.results))
 
     @typed(InvalidInput, besides=["formats"])
     def save(
@@ -162,7 +162,7 @@ class SolvedResults(Results):
     @cached_property
     def parts(self) -> dict[str, Part]:
         parts = self.solution.parts.items()
-        return {name: Part(case, answers.results) for name, (case, answers) in parts}
+        return {name: Part(case, machine.results) for name, (case, machine) in parts}
 
     def _names(self) -> tuple[str, ...]:
         return tuple(self.solution.results)
@@ -195,25 +195,25 @@ def run(case: Case, progress: Progress = lambda name: None) -> SolvedResults:
 
 
 def _alone(case: Case, progress: Progress) -> Solution:
-    answers = solve(case, progress)
-    finished, missing = _finished(case, answers)
-    return Solution(finished, {"": (finished, answers)}, stop=answers.stop, missing=missing)
+    machine = solve(case, progress)
+    finished, missing = _finished(case, machine)
+    return Solution(finished, {"": (finished, machine)}, stop=machine.stop, missing=missing)
 
 
-def _finished(case: Case, answers: Answers) -> tuple[Case, tuple[str, ...]]:
+def _finished(case: Case, machine: MachineResults) -> tuple[Case, tuple[str, ...]]:
     """``case`` restricted to analyses with results, and names of the others."""
-    missing = tuple(name for name in case.analyses if name not in answers.results)
-    return restricted(case, tuple(answers.results)) if missing else case, missing
+    missing = tuple(name for name in case.analyses if name not in machine.results)
+    return restricted(case, tuple(machine.results)) if missing else case, missing
 
 
 def _variants(case: Case, progress: Progress) -> Solution:
     solved = solve_variants(case, progress)
-    first, answers = next(iter(solved.answers.items()))
-    finished, analyses = _finished(case, answers)
+    first, machine = next(iter(solved.machines.items()))
+    finished, analyses = _finished(case, machine)
     cases = labelled(finished)
-    parts = {name: (cases[name], answers) for name, answers in solved.answers.items()}
+    parts = {name: (cases[name], machine) for name, machine in solved.machines.items()}
     missing = [f"{name} of variant {first}" for name in analyses]
-    if later := [name for name in cases if name not in {*solved.answers, *solved.failed}]:
+    if later := [name for name in cases if name not in {*solved.machines, *solved.failed}]:
         after = f" and {len(later) - 1} after it" * (len(later) > 1)
         missing.append(f"variant {later[0]}{after}")
     lost = tuple(solved.failed.values())

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rotordyn.allowance import STOPS, Stop, keeps_finished
-from rotordyn.analyses.solving import Answers, Progress, solve_bearing, solve_spindle
+from rotordyn.analyses.solving import MachineResults, Progress, solve_bearing, solve_spindle
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput, NoSolution
 
@@ -21,11 +21,11 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class VariantAnswers:
-    """Answers by variant; ``failed``: reasons of variants without a solution; ``stop``: what ended
+class VariantResults:
+    """Results by variant; ``failed``: reasons of variants without a solution; ``stop``: what ended
     the run early, in the first variant after some of its analyses."""
 
-    answers: dict[str, Answers]
+    machines: dict[str, MachineResults]
     failed: dict[str, str] = field(default_factory=dict)
     stop: Stop | None = None
 
@@ -35,7 +35,7 @@ def solve(
     progress: Progress = lambda name: None,
     memo: Memo | None = None,
     checks: Checks | None = None,
-) -> Answers:
+) -> MachineResults:
     """Solve all analyses of ``case``; its variants are ignored.
 
     ``memo``: stages of previous cases, reused where they are the same; ``checks``: whether errors
@@ -48,7 +48,7 @@ def solve(
     return solve_bearing(case.bearing, case.conditions, case.speeds, case.analyses, progress)
 
 
-def solve_variants(case: Case, progress: Progress = lambda name: None) -> VariantAnswers:
+def solve_variants(case: Case, progress: Progress = lambda name: None) -> VariantResults:
     """Solve all variants of ``case``; common stages are solved once.
 
     Raises
@@ -57,23 +57,23 @@ def solve_variants(case: Case, progress: Progress = lambda name: None) -> Varian
     """
     from rotordyn.scene.stage import Memo
 
-    solved = VariantAnswers({})
+    solved = VariantResults({})
     memo = Memo()
     for name, variant in case.variants.items():
         try:
-            answers = solve(variant, partial(_part, progress, name), memo)
+            machine = solve(variant, partial(_part, progress, name), memo)
         except NoSolution as error:
             solved.failed[name] = f"variant {name}: {error}"
             continue
         except STOPS as stop:
-            if not (solved.answers and keeps_finished()):
+            if not (solved.machines and keeps_finished()):
                 raise
             return replace(solved, stop=stop)
-        if answers.stop is None or not solved.answers:
-            solved.answers[name] = answers
-        if answers.stop is not None:
-            return replace(solved, stop=answers.stop)
-    if not solved.answers:
+        if machine.stop is None or not solved.machines:
+            solved.machines[name] = machine
+        if machine.stop is not None:
+            return replace(solved, stop=machine.stop)
+    if not solved.machines:
         raise NoSolution("; ".join(solved.failed.values()))
     return solved
 

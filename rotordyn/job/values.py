@@ -46,7 +46,7 @@ def shown_of(case: Described, result: Any) -> Shown:
 
 
 def named_curves(case: Described, name: str, result: Any) -> Iterator[tuple[str, Curve]]:
-    """Yield the curves of an analysis by a distinct name."""
+    """Yield the curves of an analysis by a distinct name, without values beyond their axes."""
     count: Counter[str] = Counter()
     for curve in analysis(name).curves(case.analyses.get(name), shown_of(case, result)):
         if curve.backdrop:

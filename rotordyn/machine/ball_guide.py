@@ -21,10 +21,10 @@ class BallGuide(Description):
     The sleeve is held by its radial stiffness at the centre. Lengths [m].
     """
 
-    balls: Annotated[int, Whole(3, 100_000), "that carry, of all rows"]
-    ball_diameter: Annotated[Diameter, "of a ball"]
-    column_diameter: Annotated[Diameter, "of the sleeve below the balls"]
-    interference: Annotated[Interference, "of both contacts of a ball together, on the radius"]
+    balls: Annotated[int, Whole(3, 100_000), "number of balls that carry, of all rows"]
+    ball_diameter: Annotated[Diameter, "diameter of a ball"]
+    column_diameter: Annotated[Diameter, "diameter of the sleeve below the balls"]
+    interference: Annotated[Interference, "radial interference of both contacts of a ball together"]
 
     def _faults(self) -> Faults:
         if self.interference == 0.0:

@@ -60,23 +60,23 @@ def fitting(name: str, given: Sequence[str]) -> str:
 class SetPreload(Description):
     """How a set is preloaded: one of force, class_force, offset, constant_force."""
 
-    force: Annotated[Load | None, "as mounted; on the rings of each side in tandem altogether"] = (
-        None
-    )
+    force: Annotated[
+        Load | None, "preload as mounted; on the rings of each side in tandem altogether"
+    ] = None
     class_force: Annotated[
         Load | None,
-        "of a pair of these bearings before it is mounted, as a maker's class states it: fits and "
-        "the number of bearings raise it",
+        "preload of a pair of these bearings before it is mounted, as of a maker's "
+        "class: fits and the number of bearings raise it",
     ] = None
     offset: Annotated[
         RingOffset | None,
         "axial offset of the rings that mounting takes away, or the difference of spacers or a "
         "shim, before fits",
     ] = None
-    constant_force: Annotated[Load | None, "by a piston, whatever the way"] = None
-    stiffness: Annotated[Rigidity, "of a spring that gives the force; `rigid` locks the rings"] = (
-        math.inf
-    )
+    constant_force: Annotated[Load | None, "preload by a piston, independent of its travel"] = None
+    stiffness: Annotated[
+        Rigidity, "stiffness of a spring that gives the force; `rigid` locks the rings"
+    ] = math.inf
     stop_travel: Annotated[StopTravel, "way against the force, from rest to an end stop"] = math.inf
     friction: Annotated[
         Preload, "limit of the dry friction of the rings that the force pushes, in their bore"
@@ -123,9 +123,9 @@ class BearingSet(Description):
     """A set of bearings by its name, with its preload."""
 
     set: Annotated[str, Choice(tuple(SETS)), "DB, DF, DT; TBT, TFT, TT; QBC, QFC, QBT, QFT, QT"]
-    bearings: Annotated[tuple[Name, ...], Items(2, 4), "of the set, from front to rear"]
-    preload: Annotated[SetPreload | None, "of sets that face one another"] = None
-    name: Annotated[Name, "of the set, which its sleeve bears"] = "set"
+    bearings: Annotated[tuple[Name, ...], Items(2, 4), "bearings of the set, from front to rear"]
+    preload: Annotated[SetPreload | None, "preload of sets that face one another"] = None
+    name: Annotated[Name, "name of the set, which its sleeve bears"] = "set"
 
     def _faults(self) -> Faults:
         yield from repeated("bearings", self.bearings)

@@ -18,7 +18,7 @@ def area(outer_diameter: Number, inner_diameter: Number) -> Number:
 
 
 def second_moment(outer_diameter: Number, inner_diameter: Number) -> Number:
-    """Return I = π (do⁴ − di⁴) / 64 about a diameter [m⁴], half of that about the axis."""
+    """Return I = π (do⁴ − di⁴) / 64 about a diameter [m⁴]; about the axis it is twice that."""
     squares = outer_diameter**2 + inner_diameter**2
     return area(outer_diameter, inner_diameter) * squares / 16.0
 

@@ -40,9 +40,9 @@ class Fits(Description):
     taken: Annotated[
         str,
         Choice(TAKEN),
-        "which interference of the tolerances: their `mean`, the `least` or `most` of parts at "
-        "their limits, or those within which nearly all pairs of parts lie, `probable_least` and "
-        "`probable_most`",
+        "interference taken from the tolerances: their `mean`, the `least` or `most` of "
+        "parts at their limits, or those within which nearly all pairs of parts lie, "
+        "`probable_least` and `probable_most`",
     ] = "mean"
     smoothing: Annotated[
         Depth, "interference lost to the roughness of both surfaces, on the diameter"
@@ -114,7 +114,7 @@ class Fits(Description):
         return interference(ring, limits(self.housing, self.outside_diameter))
 
     def depth(self, which: str) -> float:
-        """Return the interference in force on the radius, of ``"inner"`` or ``"outer"`` [m]."""
+        """Return the interference used, on the radius, of ``"inner"`` or ``"outer"`` [m]."""
         interference: Interference = getattr(self, which)
         reduced = interference.reduced(self.smoothing)
         depths = reduced._asdict()

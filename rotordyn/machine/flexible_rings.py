@@ -64,8 +64,8 @@ class RingBodies(Description):
     ] = None
     length: Annotated[
         Diameter | None,
-        "of the piece of shaft and housing that deforms, the ring at its middle; by default its "
-        "diameter beyond the ring on either side",
+        "length of the piece of shaft and housing that deforms, the ring at its middle; "
+        "by default its diameter beyond the ring on either side",
     ] = None
     ends: Annotated[
         str,

@@ -26,7 +26,7 @@ Computed = Annotated[str, Choice((COMPUTED,))]
 class QuadraticInSpeed(Description):
     """A displacement [m] at a speed [rad/s], growing with speed²."""
 
-    value: Annotated[Growth, "at the speed `at`"]
+    value: Annotated[Growth, "growth at the speed `at`"]
     speed: Annotated[TopSpeed, Key("at"), "speed; the value grows with speed squared"]
 
 
@@ -37,9 +37,9 @@ class InterferenceFit(Description):
     bore_diameter: Annotated[
         Diameter,
         Key(missing="the model of this bearing gives no bore_diameter; give it here"),
-        "of the inner ring; in files by default that of the bearing model",
+        "bore of the inner ring; in files by default that of the bearing model",
     ]
-    interference: Annotated[Interference, "on the radius, at rest"]
+    interference: Annotated[Interference, "radial interference at rest"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +49,7 @@ class RingGrowth(Description):
     ``fit`` serves where the centrifugal growth is ``"computed"`` (theory: rings).
     """
 
-    static: Annotated[Growth, "at rest, part of every speed"] = 0.0
+    static: Annotated[Growth, "growth at rest, part of every speed"] = 0.0
     centrifugal: Annotated[QuadraticInSpeed | Computed | None, "added with speed"] = None
     fit: Annotated[
         InterferenceFit | None, "fit of ring and shaft, needed where growth is `computed`"
@@ -87,4 +87,6 @@ class ComputedShortening(Description):
     """Axial shift of every seat computed from the sections (Poisson contraction)."""
 
     reference: Annotated[Station, Key(missing="the station that does not shift"), "does not shift"]
-    shift: Annotated[Computed, Key(required=True), "from the sections"] = COMPUTED
+    shift: Annotated[Computed, Key(required=True), "axial shift, computed from the sections"] = (
+        COMPUTED
+    )

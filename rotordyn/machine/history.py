@@ -20,13 +20,11 @@ class HistoryStep(Description):
     warm: Annotated[
         bool | None, "`true`: the temperatures of the conditions, `false`: those of assembly"
     ] = None
-    speed: Annotated[Speed | None, "it goes to this speed, through those of the case between"] = (
-        None
-    )
+    speed: Annotated[Speed | None, "speed to run to"] = None
     run_up: Annotated[
         bool,
-        "it goes through the speeds of the case, up and down from where it is; every step after "
-        "this one is made at each of them",
+        "run to every speed of the case, up or down from the present one; every step after this "
+        "one is made at each of them",
     ] = False
     axial_force: Annotated[Force | None, "axial force on the shaft towards +x"] = None
 

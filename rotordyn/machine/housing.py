@@ -34,11 +34,13 @@ class RigidHousing(Description):
     name: HousingName
     carries: Carried
     x: Annotated[Station, "station of its centre of gravity, where stiffness and damping act"]
-    mass: Annotated[Mass, "of the body"]
+    mass: Annotated[Mass, "mass of the body"]
     stiffness: Annotated[
-        OneValue, STIFFNESS, "of the body against ground, 6×6; it moves in the DOF named here"
+        OneValue,
+        STIFFNESS,
+        "stiffness of the body against ground, 6×6; it moves in the DOF named here",
     ]
-    damping: Annotated[OneValue, DAMPING, "of the body against ground, 6×6"] = field(
+    damping: Annotated[OneValue, DAMPING, "damping of the body against ground, 6×6"] = field(
         default_factory=dict
     )
     polar_inertia: Annotated[Inertia, "about the axis"] = 0.0

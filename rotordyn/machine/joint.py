@@ -20,7 +20,7 @@ class Joint(Description):
     not given is rigid. Dampers [N·s/m], [N·m·s/rad] act in directions that have a stiffness.
     """
 
-    name: Annotated[Name, "of the joint"]
+    name: Annotated[Name, "name of the joint"]
     x: Annotated[Station, "station; what sits there belongs to the part in front"]
     radial: Annotated[Rigidity, "spring across the axis"] = math.inf
     tilt: Annotated[TiltRigidity, "spring against bending"] = math.inf

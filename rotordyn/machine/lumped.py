@@ -26,9 +26,9 @@ from rotordyn.quantity import (
 class PointMass(Description):
     """A rigid mass [kg] with its inertias [kg·m²] at a station."""
 
-    name: Annotated[OptionalName, "for messages and overrides"]
+    name: Annotated[OptionalName, "name in messages and overrides"]
     x: Annotated[Station, "station"]
-    mass: Annotated[Mass, "of the body"]
+    mass: Annotated[Mass, "mass of the body"]
     polar_inertia: Annotated[Inertia, "about the axis"] = 0.0
     diametral_inertia: Annotated[Inertia, "about a diameter through its centre"] = 0.0
 
@@ -47,7 +47,7 @@ class PointMass(Description):
 class Disc(Description):
     """A rigid hollow cylinder centred on a station."""
 
-    name: Annotated[OptionalName, "for messages and overrides"]
+    name: Annotated[OptionalName, "name in messages and overrides"]
     x: Annotated[Station, "station of its centre"]
     outer_diameter: Annotated[Diameter, "above the inner one"]
     inner_diameter: Annotated[Bore, "bore"]

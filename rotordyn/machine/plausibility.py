@@ -253,8 +253,8 @@ def _thin_walls(spindle: Spindle) -> Iterator[str]:
 
 
 def _common_walls(spindle: Spindle) -> Iterator[str]:
-    """Warn of adjacent rings on one thin wall, each computed with a wall of its own: they differ,
-    or are taken apart."""
+    """Warn of adjacent rings on one thin wall, each computed with a wall of its own, as they
+    differ or are taken apart."""
     seats = sorted(spindle.seats, key=lambda seat: seat.x)
     common = []
     for one, other in pairwise(seats):

@@ -32,11 +32,11 @@ class Reference(Description):
     that gives them, such as ``{"rotor": "rigid"}``.
     """
 
-    quantity: Annotated[str, Choice(tuple(QUANTITIES)), "what is known"]
+    quantity: Annotated[str, Choice(tuple(QUANTITIES)), "quantity that is known"]
     kind: Annotated[str, Choice(KINDS), "computed by others, or measured"]
     source: Annotated[str, "where it was found"]
     speeds: Annotated[tuple[Speed, ...], Items(), "one per value, or one for all"]
-    values: Annotated[tuple[float, ...], Items(), "with units of the quantity"]
+    values: Annotated[tuple[float, ...], Items(), "known values, with units of the quantity"]
     subject: Annotated[str, "variant, sleeve or bearing it belongs to"] = ""
     remark: Annotated[str, "one sentence why it may differ from ours"] = ""
     conditions: Annotated[

@@ -46,7 +46,7 @@ class Rotor(Description):
     """
 
     name: Annotated[
-        Name, "by which supports, points and results call it, and of no support or bearing"
+        Name, "name in supports, points and results, different from those of supports and bearings"
     ]
     speed_ratio: Annotated[
         SpeedRatio,

@@ -45,7 +45,7 @@ class BearingSeat(Description):
     light, medium, heavy [N].
     """
 
-    name: Annotated[Name, "of this bearing"]
+    name: Annotated[Name, "name of this bearing"]
     bearing: Annotated[BallBearing, Key("model"), "name or path of a bearing model, or a mapping"]
     x: Annotated[Station, "station of the circle of inner groove centres"]
     thrust: Annotated[
@@ -77,7 +77,8 @@ class BearingSeat(Description):
     ] = None
     friction: Annotated[Friction | None, "instead of that of the conditions"] = None
     misalignment: Annotated[
-        Misalignment, "of the bore that its outer ring sits in ([how](theory/loads.md))"
+        Misalignment,
+        "misalignment of the bore in which its outer ring sits ([how](theory/loads.md))",
     ] = field(default_factory=Misalignment)
     own: Annotated[tuple[str, ...], HIDDEN] = field(default=(), repr=False, compare=False)
     sizes: Annotated[Mapping[str, Length], HIDDEN] = field(

@@ -46,7 +46,7 @@ class Section(Description):
         Key(missing="this section has no material, and none is given for all of them"),
         "instead of that of all sections",
     ]
-    name: Annotated[OptionalName, "for messages, overrides and the figure"] = ""
+    name: Annotated[OptionalName, "name in messages, overrides and the figure"] = ""
     rear_outer_diameter: Annotated[
         Diameter | None, "where it is another one at the rear end: a cone"
     ] = None
@@ -84,7 +84,7 @@ class Shaft(Description):
     """Sections laid end to end from ``start`` towards +x."""
 
     start: Annotated[Station, "station of its front end"]
-    sections: Annotated[tuple[Section, ...], Items(), "from front to rear"]
+    sections: Annotated[tuple[Section, ...], Items(), "sections from front to rear"]
     shear_coefficient: Annotated[
         Annotated[str, Choice(SHEAR_COEFFICIENTS)] | Annotated[float, SHEAR_COEFFICIENT],
         "formula by Poisson's ratio and diameters, or the coefficient; `none`: no shear "

@@ -24,8 +24,8 @@ class Spring(Description):
     ] = math.inf
     offset: Annotated[
         RingOffset | None,
-        "of a rigid preload, instead of its force: axial offset of the free rings, or difference "
-        "of spacers",
+        "offset of a rigid preload, instead of its force: axial offset of the free "
+        "rings, or difference of spacers",
     ] = None
     free: Annotated[
         bool, "the preload is that of a pair of such bearings before it is mounted, as of a class"
@@ -61,13 +61,13 @@ class Sleeve(Description):
     held rigidly by the housing bore.
     """
 
-    name: Annotated[Name, "of the sleeve"]
+    name: Annotated[Name, "name of the sleeve"]
     bearings: Annotated[tuple[Name, ...], Items(), "whose outer rings it carries"]
-    spring: Annotated[Spring, "that loads these bearings"]
+    spring: Annotated[Spring, "spring that loads these bearings"]
     stop_travel: Annotated[StopTravel, "way against the spring, from rest to the end stop"] = (
         math.inf
     )
-    mass: Annotated[Mass, "of the sleeve"] = 0.0
+    mass: Annotated[Mass, "mass of the sleeve"] = 0.0
     radial_stiffness: Annotated[Rigidity, "between sleeve and housing"] = math.inf
     ball_guide: Annotated[
         BallGuide | None,

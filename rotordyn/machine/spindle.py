@@ -65,10 +65,10 @@ class Spindle(Description):
     internal_damping: TurningShare = 0.0
     rayleigh: Rayleigh = field(default_factory=RayleighDamping)
     title: Annotated[str, "one line"] = ""
-    note: Annotated[str, "what is known, assumed, estimated"] = ""
+    note: Annotated[str, "remark: what is known, assumed, estimated"] = ""
     references: Annotated[tuple[Reference, ...], "known values shown beside the computed ones"] = ()
     housings: Annotated[
-        tuple[Housing, ...], "what supports and bearings stand on where that gives way"
+        tuple[Housing, ...], "flexible bodies on which supports and bearings stand"
     ] = ()
     joints: Annotated[tuple[Joint, ...], "between parts of the shaft, as of a tool holder"] = ()
     rotors: Annotated[
@@ -84,7 +84,7 @@ class Spindle(Description):
         tuple[SqueezeFilmDamper, ...], "squeeze films between the shaft and ground"
     ] = ()
     cutter_diameter: Annotated[float | None, HIDDEN] = None
-    motor: Annotated[Motor | None, "what drives it; limits a cut beside chatter"] = None
+    motor: Annotated[Motor | None, "motor that drives it; limits a cut beside chatter"] = None
 
     def __post_init__(self) -> None:
         bearing_set: object = self.arrangement

@@ -20,12 +20,12 @@ class SqueezeFilmDamper(Description):
     station.
     """
 
-    name: Annotated[Name, "of the damper"]
+    name: Annotated[Name, "name of the damper"]
     x: Annotated[Station, "station"]
     viscosity: Annotated[Viscosity, "dynamic, of the oil in the film"]
-    length: Annotated[Length, "of the film, open at both ends; short against the radius"]
-    radius: Annotated[Length, "of the journal, which does not spin"]
-    clearance: Annotated[Length, "on the radius"]
+    length: Annotated[Length, "length of the film, open at both ends; short against the radius"]
+    radius: Annotated[Length, "radius of the journal, which does not spin"]
+    clearance: Annotated[Length, "radial clearance"]
     eccentricity_ratio: Annotated[
         EccentricityRatio, "radius of the circular orbit over the clearance"
     ] = 0.0

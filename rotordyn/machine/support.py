@@ -47,7 +47,7 @@ class LinearSupport(Description):
     ``rigid`` do not move at all and have no stiffness.
     """
 
-    name: Annotated[Name, "of the support"]
+    name: Annotated[Name, "name of the support"]
     x: Annotated[Station, "station"]
     stiffness: Annotated[Entries, STIFFNESS, "between its two ends, 6×6, in the fixed frame"] = (
         field(default_factory=dict)
@@ -56,10 +56,10 @@ class LinearSupport(Description):
         default_factory=dict
     )
     rigid: Annotated[tuple[Dof, ...], "DOF that do not move, instead of a stiffness"] = ()
-    speeds: Annotated[tuple[Speed, ...], "of the values in lists, ascending"] = ()
+    speeds: Annotated[tuple[Speed, ...], "speeds of the values in lists, ascending"] = ()
     holds: Annotated[Name, "the rotor at one end; `spindle` is its shaft"] = SPINDLE
     against: Annotated[
-        Name, "what is at the other end: `ground` (or a housing), `spindle` or another rotor"
+        Name, "body at the other end: `ground` (or a housing), `spindle` or another rotor"
     ] = GROUND
     loss_factor: Annotated[
         LossFactor,
@@ -69,8 +69,8 @@ class LinearSupport(Description):
     beyond: Annotated[
         str,
         Choice(BEYOND),
-        "at speeds outside a table: `refuse` the case, or `hold` the values of its nearest end, "
-        "with a warning",
+        "treatment of speeds outside a table: `refuse` the case, or `hold` the values "
+        "of its nearest end, with a warning",
     ] = "refuse"
 
     def _faults(self) -> Faults:
@@ -128,7 +128,7 @@ class LinearSupport(Description):
         return value if isinstance(value, float) else math.nan
 
     @property
-    def pushes_away(self) -> bool:
+    def has_negative_stiffness(self) -> bool:
         """Whether a diagonal stiffness is negative at some speed, as of the field of a motor."""
         diagonal = (value for (row, column), value in self.stiffness.items() if row == column)
         return any(min(each if isinstance(each, tuple) else (each,)) < 0.0 for each in diagonal)
@@ -177,7 +177,7 @@ class LinearSupport(Description):
                 )
 
     @property
-    def sideways(self) -> tuple[tuple[str, str], ...]:
+    def axial_coupling(self) -> tuple[tuple[str, str], ...]:
         """Entries of ``stiffness`` that couple a displacement along x to other loads."""
         return tuple(pair for pair in self._stiff if pair[1] == "x" and pair[0] != "x")
 

@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
-from bearings.materials import STEEL
 from rotordyn.description import Description, Faults, Path, ascending
 from rotordyn.machine.support import beside
 from rotordyn.quantity import Name, Speed, Temperature, ThermalExpansion
@@ -19,6 +18,11 @@ if TYPE_CHECKING:
 
 MEASURED = 20.0  # °C, at which lengths are measured (ISO 1)
 Values = Temperature | tuple[Temperature, ...]
+HousingExpansion = Annotated[
+    ThermalExpansion | None,
+    "thermal expansion of the housing along the axis; by default that of the `housing_material` "
+    "of the fits, where that is the same for all bearings, else that of steel",
+]
 OF_BEARING = ("inner_ring", "outer_ring", "balls")
 
 
@@ -36,9 +40,13 @@ class Rises(NamedTuple):
 class BearingTemperatures(Description):
     """Temperatures of one bearing [°C]; each may be a list over speed."""
 
-    inner_ring: Annotated[Values | None, "by default that of all inner rings"] = None
-    outer_ring: Annotated[Values | None, "by default that of all outer rings"] = None
-    balls: Annotated[Values | None, "by default that of all balls"] = None
+    inner_ring: Annotated[
+        Values | None, "temperature of its inner ring; by default that of all inner rings"
+    ] = None
+    outer_ring: Annotated[
+        Values | None, "temperature of its outer ring; by default that of all outer rings"
+    ] = None
+    balls: Annotated[Values | None, "temperature of its balls; by default that of all balls"] = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,21 +56,25 @@ class Temperatures(Description):
     Rings take the temperature of their seats unless given, balls the mean of both rings.
     """
 
-    shaft: Annotated[Values | None, "of the shaft; by default the reference"] = None
-    housing: Annotated[Values | None, "of the housing; by default the reference"] = None
-    inner_rings: Annotated[Values | None, "of all inner rings; by default that of the shaft"] = None
-    outer_rings: Annotated[Values | None, "of all outer rings; by default of the housing"] = None
-    balls: Annotated[Values | None, "of all balls; by default the mean of both rings"] = None
+    shaft: Annotated[Values | None, "temperature of the shaft; by default the reference"] = None
+    housing: Annotated[Values | None, "temperature of the housing; by default the reference"] = None
+    inner_rings: Annotated[
+        Values | None, "temperature of all inner rings; by default that of the shaft"
+    ] = None
+    outer_rings: Annotated[
+        Values | None, "temperature of all outer rings; by default that of the housing"
+    ] = None
+    balls: Annotated[
+        Values | None, "temperature of all balls; by default the mean of both rings"
+    ] = None
     bearings: Annotated[
         Mapping[Name, BearingTemperatures], "bearing -> its own, instead of these"
     ] = field(default_factory=dict)
-    speeds: Annotated[tuple[Speed, ...], "of the values in lists, ascending"] = ()
+    speeds: Annotated[tuple[Speed, ...], "speeds of the values in lists, ascending"] = ()
     reference: Annotated[
-        Temperature, "at which the spindle is assembled: fits and preloads are of it"
+        Temperature, "temperature of assembly, at which fits and preloads hold"
     ] = MEASURED
-    housing_expansion: Annotated[
-        ThermalExpansion, "of the housing along the axis; by default that of steel"
-    ] = STEEL.thermal_expansion
+    housing_expansion: HousingExpansion = None
 
     def _faults(self) -> Faults:
         yield from ascending("speeds", self.speeds)

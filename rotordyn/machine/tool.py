@@ -25,7 +25,7 @@ class Tool(Description):
     """
 
     name: Annotated[str, HIDDEN]
-    sections: Annotated[tuple[Section, ...], Items(), "from its tip to the nose face"]
+    sections: Annotated[tuple[Section, ...], Items(), "sections from its tip to the nose face"]
     masses: Annotated[tuple[PointMass, ...], "rigid masses on the tool"] = ()
     points: Annotated[
         Mapping[Name, ToolStation],
@@ -34,11 +34,11 @@ class Tool(Description):
     ] = field(default_factory=dict)
     references: Annotated[tuple[Reference, ...], "known values shown beside the computed ones"] = ()
     joints: Annotated[
-        tuple[Joint, ...], "of the tool, or between tool and spindle; x = 0 is the nose face"
+        tuple[Joint, ...], "joints of the tool, or between tool and spindle; x = 0 is the nose face"
     ] = ()
     cutter_diameter: Annotated[
         Diameter | None,
-        "over the teeth of a milling cutter, where flutes count as a thinner cylinder",
+        "diameter over the teeth of a milling cutter, where flutes count as a thinner cylinder",
     ] = None
 
     def _faults(self) -> Faults:

@@ -21,9 +21,9 @@ from rotordyn.equation.linear import Linear
 from rotordyn.modes.band import Band
 from rotordyn.modes.overdamped import is_overdamped
 from rotordyn.numerics.follow import Steps, doubts, follow
-from rotordyn.numerics.modes import swings
+from rotordyn.numerics.modes import oscillates
 from rotordyn.numerics.products import times
-from rotordyn.numerics.repeated import as_beside
+from rotordyn.numerics.repeated import continued_vectors
 from rotordyn.scene.scene import Scene
 
 MOTIONS = ("bending", "axial", "torsion")
@@ -66,7 +66,7 @@ class Branch:
 
     ``degree``: share of the kinetic energy in forward circular motion less that in backward.
     ``vector`` (speeds, n): its displacements in the coordinates of its subsystem; where its pole is
-    also that of others, combined as at the nearest speed where it is not (``as_beside``).
+    also that of others, combined as at the nearest speed where it is not (``continued_vectors``).
     ``track``: at more speeds. ``side``: +1 or −1 of whirl where planes are one, else 0.
     """
 
@@ -102,7 +102,7 @@ class Branch:
         return bool(is_overdamped((-self.pole.real / np.abs(self.pole))[:, None])[0])
 
     @property
-    def born(self) -> int:
+    def first_row(self) -> int:
         """Index of the first speed at which it exists."""
         return int((self.column >= 0).argmax())
 
@@ -255,7 +255,7 @@ class _Sweep:
         pole = np.take_along_axis(self.pole, column, axis=1)
         pole[lost] = NO_POLE
         vector = np.take_along_axis(self.vector, column[:, None], axis=2)
-        vector = as_beside(self.speed, pole, vector)
+        vector = continued_vectors(self.speed, pole, vector)
         kinds, at_given = _kinds(linear, vector, ~lost), vector[given]
         degree = np.zeros(column[given].shape)
         if bending := [k for k, kind in enumerate(kinds) if kind == "bending"]:
@@ -319,4 +319,6 @@ def circular_share(y: Complex, z: Complex) -> Array:
 def found_in(motions: FreeMotions, ceiling: float) -> Flags:
     """Return which motions (s, k) oscillate below ``ceiling`` [rad/s] and are not free."""
     with np.errstate(invalid="ignore"):
-        return np.asarray(swings(motions.pole) & (motions.pole.imag < ceiling) & ~motions.at_rest)
+        return np.asarray(
+            oscillates(motions.pole) & (motions.pole.imag < ceiling) & ~motions.at_rest
+        )

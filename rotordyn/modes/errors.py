@@ -20,7 +20,7 @@ from rotordyn.modes.band import Band
 from rotordyn.modes.branches import Branch
 from rotordyn.modes.overdamped import OVERDAMPED
 from rotordyn.numerics.follow import matched
-from rotordyn.numerics.modes import swings
+from rotordyn.numerics.modes import oscillates
 from rotordyn.results.display import RPM
 from rotordyn.scene.formulation import ROTATING
 from rotordyn.scene.refinement import RESPONSES, few_rows, solve_accurately
@@ -120,7 +120,7 @@ def _judged(scene: Scene, branches: list[Branch], band: Band, *, overdamped: boo
 def _compared(scene: Scene, band: Band, branches: list[Branch]) -> ModeErrors:
     """Compare poles of followed modes with the nearest ones of the finer model."""
     finer, few = scene.refined, few_rows(scene)
-    rows = np.unique([*few, *(b.born for b in branches if (b.column[few] < 0).all())])
+    rows = np.unique([*few, *(b.first_row for b in branches if (b.column[few] < 0).all())])
     errors = np.full((3, len(rows), len(branches)), np.nan)
     unconverged, highest = "", (1.0 - SAME) * band.highest
     spin = _spin(scene)
@@ -134,7 +134,7 @@ def _compared(scene: Scene, band: Band, branches: list[Branch]) -> ModeErrors:
             chosen = [k for k in chosen if branches[k].column[row] >= 0]
             pole = motions.pole[index]
             of_side = (motions.whirl[index] == side) | (not separate)
-            finer_poles = pole[swings(pole) & ~motions.at_rest[index] & of_side]
+            finer_poles = pole[oscillates(pole) & ~motions.at_rest[index] & of_side]
             poles = np.array([branches[k].pole[row] for k in chosen], dtype=complex)
             nearness = -np.abs(poles[:, None] - finer_poles) / np.abs(poles)[:, None]
             partner = matched(nearness, -SAME)

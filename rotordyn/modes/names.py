@@ -18,7 +18,7 @@ def named(branches: Iterable[Branch]) -> tuple[list[Branch], tuple[str, ...]]:
 def _rank(branch: Branch) -> tuple[str, bool, float, float]:
     """Rank bending, axial, torsion; overdamped last; from below; of equal ones backward first."""
     kind = {"bending": "0", "axial": "1", "torsion": "2"}[branch.kind]
-    first = branch.born
+    first = branch.first_row
     return (
         kind,
         branch.overdamped,
@@ -33,7 +33,7 @@ def _names(branches: list[Branch]) -> tuple[str, ...]:
     names = []
     paired = all(np.unique(b.whirl[b.column >= 0]).size == 1 for b in branches)
     for branch in branches:
-        whirl = {1.0: " forward", -1.0: " backward"}.get(float(branch.whirl[branch.born]), "")
+        whirl = {1.0: " forward", -1.0: " backward"}.get(float(branch.whirl[branch.first_row]), "")
         family = branch.kind + (whirl if paired else "")
         counts[family] = counts.get(family, 0) + 1
         names.append(f"{branch.kind} {counts[family]}{whirl if paired else ''}")

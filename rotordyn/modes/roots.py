@@ -20,7 +20,7 @@ from rotordyn.modes.branches import Branch, whirl_degree
 from rotordyn.modes.excitation import Line
 from rotordyn.numerics.correct import corrected
 from rotordyn.numerics.follow import mac
-from rotordyn.numerics.modes import swings
+from rotordyn.numerics.modes import oscillates
 from rotordyn.scene.scene import Scene
 
 ITERATIONS = 20  # secants, at most
@@ -145,7 +145,7 @@ def _corrected(
     guessed_pole = np.asarray(1j * line * at, dtype=complex)
     pole, vector, converged = corrected(stiffness, damping, guessed_pole, guess)
     states: list[State | None] = [None] * len(starts)
-    for k in np.flatnonzero(converged & swings(pole) & (pole.imag > 0.0)).tolist():
+    for k in np.flatnonzero(converged & oscillates(pole) & (pole.imag > 0.0)).tolist():
         displacement = linear.basis @ vector[k]
         if _fitness(starts[k], at[k], pole[k : k + 1], displacement[:, None])[0] > CLEAR:
             states[k] = State(complex(pole[k]), displacement, float(pole[k].imag - line * at[k]))
@@ -169,7 +169,7 @@ def _motions(scene: Scene, subsystem: int, start: Start) -> FreeMotions:
 def _nearest(motions: FreeMotions, row: int, start: Start, speed: float) -> State | None:
     """Return the vibration mode of a subsystem that is most like the start and near its line."""
     pole, vector = motions.pole[row], motions.vector[row]
-    columns = np.flatnonzero(swings(pole) & (motions.whirl[row] * start.side >= 0.0))
+    columns = np.flatnonzero(oscillates(pole) & (motions.whirl[row] * start.side >= 0.0))
     if not columns.size:
         return None
     best = columns[int(_fitness(start, speed, pole[columns], vector[:, columns]).argmax())]

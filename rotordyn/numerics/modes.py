@@ -61,7 +61,7 @@ class Modes:
             small[rows] &= rank < 2 * free[:, None]
         return small
 
-    def one_of_each_pair(self) -> tuple[Indices, Array]:
+    def representatives(self) -> tuple[Indices, Array]:
         """Return columns (…, k) that represent all poles, and how many each: of a real system those
         of Im ≥ 0, two for a pair of conjugates. One that fills up a row represents none."""
         if np.iscomplexobj(self.stiffness) or np.iscomplexobj(self.damping):
@@ -168,7 +168,7 @@ def unsolved(stiffness: Matrix, damping: Matrix) -> Modes:
     )
 
 
-def swings(pole: Complex) -> Flags:
+def oscillates(pole: Complex) -> Flags:
     """Return which poles are those of vibrations."""
     return np.asarray(np.abs(pole.imag) > STRAIGHT * np.abs(pole))
 
@@ -310,7 +310,7 @@ def residual(solution: Modes, stiffness: Matrix, damping: Matrix) -> float:
     """Return the largest |(λ² + λ D + K) v| over (|λ|² + |λ D| + |K|) |v| of all eigenpairs."""
     if not solution.pole.size:
         return 0.0
-    columns, _ = solution.one_of_each_pair()
+    columns, _ = solution.representatives()
     pole_of = np.take_along_axis(solution.pole, columns, axis=-1)
     pole, vector = (
         pole_of[..., None, :],

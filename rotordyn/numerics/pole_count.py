@@ -56,8 +56,8 @@ class Counted(NamedTuple):
 
 
 def counted(omega: Array, values: Complex, deviation: Array, most: int) -> Counted:
-    """Return the poles of ``values`` (f, e) at ``omega`` (f,) with standard ``deviation`` (f, e) of
-    real and imaginary part each, at most ``most``."""
+    """Return the fit of ``values`` (f, e) at ``omega`` (f,) with the likeliest number of poles, at
+    most ``most``; ``deviation`` (f, e): standard, of real and imaginary part each."""
     weight, trials = 1.0 / deviation, list[Trial]()
     for fit in _growing(omega, values, weight, most):
         trials.append(_trial(fit, values))
@@ -158,8 +158,8 @@ def _outside(omega: Array) -> Complex:
 
 
 def _peaks(omega: Array, values: Complex) -> Complex:
-    """Return lightly damped poles at the peaks of the mean of ln |H|, most prominent first, or
-    one."""
+    """Return lightly damped poles at the peaks of the mean of ln |H|, most prominent first; at
+    its maximum if it has no peak."""
     from scipy.signal import find_peaks
 
     size = np.log(np.maximum(np.abs(values), 1e-300)).mean(axis=1)

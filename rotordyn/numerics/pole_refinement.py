@@ -76,14 +76,15 @@ def refined(omega: Array, values: Complex, pole: Complex, weight: Array) -> Refi
 
 
 def carried(fit: Fit, omega: Array, weight: Array, at: Array, share: Complex) -> Array:
-    """Return the standard deviation (g,) of the modulus of Σ ``share`` (g, e) × entries of ``fit``
-    ``at`` angular frequencies (g,), where real and imaginary part of every sample at ``omega`` (f,)
-    that it was fitted to have the standard deviation 1/``weight`` (f, e)."""
+    """Return the standard deviations (g, 2) of real and imaginary part of Σ ``share`` (g, e) ×
+    entries of ``fit`` ``at`` angular frequencies (g,), where those of every sample at ``omega``
+    (f,) that it was fitted to are 1/``weight`` (f, e)."""
     rows = stacked(weight.T[:, :, None] * _derivatives(fit, omega))
     size = np.maximum(np.linalg.norm(rows, axis=(0, 1)), 1e-300)
     triangle = np.linalg.qr((rows / size).reshape(-1, len(size)), mode="r")
     gradient = np.einsum("ge,egk->gk", share, _derivatives(fit, at)) / size
-    return np.asarray(np.linalg.norm(gradient @ np.linalg.pinv(triangle), axis=1))
+    scaled = gradient @ np.linalg.pinv(triangle)
+    return np.linalg.norm([scaled.real, scaled.imag], axis=2).T
 
 
 def _derivatives(fit: Fit, omega: Array) -> Complex:

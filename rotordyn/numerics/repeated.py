@@ -40,7 +40,7 @@ def spanning(vectors: Complex, values: Array | Complex) -> Complex:
     return vectors
 
 
-def as_beside(at: Array, poles: Complex, vectors: Complex) -> Complex:
+def continued_vectors(at: Array, poles: Complex, vectors: Complex) -> Complex:
     """Return vectors (steps, n, paths) of ``poles`` (steps, paths) at ``at`` (steps,); those of
     equal poles as projections on their span of the vectors at the nearest step where all of them
     have distinct poles. They stay where there is no such step, or where projections are too small.

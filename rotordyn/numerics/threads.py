@@ -32,7 +32,7 @@ def linear_algebra_alone() -> AbstractContextManager[object]:
 
 @lru_cache(maxsize=1)
 def _pools(modules: int) -> ThreadpoolController:
-    """Return the libraries loaded with so many modules; searching for them takes a millisecond."""
+    """Return the libraries loaded with this number of ``modules``; a search takes a millisecond."""
     from threadpoolctl import ThreadpoolController
 
     return ThreadpoolController()
@@ -47,7 +47,7 @@ def processors() -> int:
 
 
 def side_by_side(processes: int) -> None:
-    """Share processors among so many processes, this one included."""
+    """Share processors among this number of ``processes``, this one included."""
     _processes[0] = processes
 
 

@@ -16,7 +16,7 @@ from rotordyn.arrays import Array, Indices
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.growth import ring_growth, static_growth, thermal_shift
-from rotordyn.preload.mounting import mounted_preloads, spring_way
+from rotordyn.preload.mounting import mounted_preloads, spring_direction
 from rotordyn.preload.on_films import Films
 from rotordyn.preload.shortening import seat_shifts, support_shift, thermal_shifts
 
@@ -172,7 +172,13 @@ def _alike(a: AxialBearing, b: AxialBearing) -> bool:
 def _pushes(spindle: Spindle) -> tuple[Push, ...]:
     preloads = zip(spindle.sleeves, mounted_preloads(spindle), strict=True)
     return tuple(
-        Push(k, spring_way(spindle, sleeve), preload, sleeve.spring.stiffness, sleeve.stop_travel)
+        Push(
+            k,
+            spring_direction(spindle, sleeve),
+            preload,
+            sleeve.spring.stiffness,
+            sleeve.stop_travel,
+        )
         for k, (sleeve, preload) in enumerate(preloads, start=SHAFT + 1)
     )
 

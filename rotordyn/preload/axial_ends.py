@@ -34,7 +34,7 @@ def turns(model: BallBearing, static_growth: ArrayLike) -> Array:
 
 
 def missed(d: Array, load: Array, slope: Array) -> Array:
-    """Return further deflections [m] of a law, at points whose slopes cubics through others miss.
+    """Return further deflections [m] around the points whose slopes cubics through others miss.
 
     ``d`` [m], ``load`` [N] and ``slope`` [N/m]: the points of the law.
     """

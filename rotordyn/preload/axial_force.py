@@ -48,7 +48,7 @@ class AxialForce:
         return np.asarray(force)
 
     def bending(self, x: Array) -> Array:
-        """Return the force in bending at ``x`` (p,) [m], tension positive (states, p) [N].
+        """Return the force acting in bending at ``x`` (p,) [m], tension positive (states, p) [N].
 
         The tension of a drawbar guided everywhere acts too; it cancels the shaft's compression.
         """
@@ -126,32 +126,53 @@ def axial_force(
 
 def _shares(spindle: Spindle) -> Array:
     """Return the share of each support in an axial force, 0 if none holds the shaft (supports,)."""
-    stiffness = np.array([float("x" in support.rigid) for support in spindle.supports])
-    if not stiffness.any():
-        stiffness = np.array([support.along for support in spindle.supports])
-    return stiffness / stiffness.sum() if stiffness.any() else stiffness
+    weight = np.array([float("x" in support.rigid) for support in spindle.supports])
+    if not weight.any():
+        weight = np.array([support.along for support in spindle.supports])
+    return weight / weight.sum() if weight.any() else weight
 
 
 def _clamped(forces: AxialForce, rigid: list[int]) -> Array:
     """Return the additional forces of supports ``rigid`` along x (states, rigid) [N], which keep
     the shaft between two of them as long as without any force."""
-    joints = forces.spindle.joints
     stations = np.array([forces.spindle.supports[k].x for k in rigid])
     order = np.argsort(stations)
     mean = np.zeros((len(forces.push), len(rigid) + 1))  # [N] between them; beyond them none
     for gap, (low, high) in enumerate(pairwise(stations[order]), start=1):
         marks = np.concatenate([forces.station, forces.spindle.shaft.boundaries, [low, high]])
-        marks = np.unique(marks[(low <= marks) & (marks <= high)])
-        half = np.diff(marks)[:, None] / 2.0
-        x = (marks[:-1, None] + half * (1.0 + POINTS)).ravel()
-        compliance = (half * WEIGHTS).ravel() / _rigidity(forces.spindle, x)
-        within = [joint for joint in joints if low < joint.x < high]
-        x = np.concatenate([x, [joint.x for joint in within]])
-        compliance = np.concatenate([compliance, [1.0 / joint.axial for joint in within]])
-        mean[:, gap] = forces.at(x) @ compliance / compliance.sum()
+        x, shares = _compliances(forces.spindle, marks[(low <= marks) & (marks <= high)])
+        mean[:, gap] = forces.at(x) @ shares / shares.sum()
     pushes = np.empty((len(mean), len(rigid)))
     pushes[:, order] = np.diff(mean, axis=1)
     return pushes
+
+
+def compliance(spindle: Spindle, start: float, end: float) -> float:
+    """Return by how much the shaft gets longer from ``start`` to ``end`` per force [m/N], < 0 where
+    the end is in front."""
+    low, high = min(start, end), max(start, end)
+    inside = [x for x in spindle.shaft.boundaries if low < x < high]
+    total = float(_compliances(spindle, np.array([low, *inside, high]))[1].sum())
+    return total if end >= start else -total
+
+
+def _compliances(spindle: Spindle, marks: Array) -> tuple[Array, Array]:
+    """Return stations (p,) [m] on the shaft between the first and the last of ``marks``, among
+    which its sections are smooth, and the axial compliance of each (p,) [m/N]; joints in between
+    are among them."""
+    marks = np.unique(marks)
+    half = np.diff(marks)[:, None] / 2.0
+    x = (marks[:-1, None] + half * (1.0 + POINTS)).ravel()
+    within = [joint for joint in spindle.joints if marks[0] < joint.x < marks[-1]]
+    return (
+        np.concatenate([x, [joint.x for joint in within]]),
+        np.concatenate(
+            [
+                (half * WEIGHTS).ravel() / _rigidity(spindle, x),
+                [1.0 / joint.axial for joint in within],
+            ]
+        ),
+    )
 
 
 def _rigidity(spindle: Spindle, x: Array) -> Array:

@@ -21,7 +21,7 @@ SPACING = 2.0**-10  # of its table
 FINER = 2.0 ** np.arange(-22.0, -7.5, 0.25)  # distances of further points from the onset of load
 CLOSE = 1e-9  # of two points as close one is dropped: rounding would set the slope between them
 ROUNDS = 3  # of points: the initial ones, then more where cubic pieces are inaccurate
-REACH = 0.25  # least extent of a table below zero deflection and beyond the onset of load
+REACH = 0.25  # extent of a table below zero deflection, and at first beyond the onset of load
 FARTHEST = 2.0  # extent beyond the onset above which a table is not lengthened, whatever its load
 NEAR = 2.0**-9  # distance between the deflections of table and bearing at one load, at most
 TABLES = 256  # tables kept: variants and analyses of a case share bearings and speeds
@@ -40,7 +40,8 @@ class _Request(NamedTuple):
 
 
 class _Solved(NamedTuple):
-    """Table ``law`` with its last ``load`` [N]; ``to_end``: whether its last point has a state."""
+    """Table ``law`` with its last ``load`` [N]; ``to_end``: whether the last point asked
+    for has a state."""
 
     law: AxialLaw
     load: float
@@ -57,7 +58,7 @@ def axial_tables(
     ``most`` [N].
 
     The extent from the onset of load to the largest deflection is doubled until the load there is
-    ``most``, there is no state, or the extent exceeds ``FARTHEST``.
+    at least ``most``, there is no state, or the extent exceeds ``FARTHEST``.
 
     Raises
     ------

@@ -22,7 +22,7 @@ from rotordyn.preload.bearing_iterates import BearingIterates, States
 from rotordyn.preload.friction import Rubbing
 from rotordyn.preload.network import Network
 from rotordyn.preload.state import PreloadState
-from rotordyn.preload.stops import stops_wanted
+from rotordyn.preload.stops import bodies_at_stops
 
 if TYPE_CHECKING:
     from bearings.geometry import Geometry
@@ -287,7 +287,7 @@ class Balance:
         p, never = len(self.rotor.point), np.zeros_like(self.held)
         free = replace(self, held=never, rubbing=replace(self.rubbing, stuck=never))
         force, position = free._unbalanced(point, 0.0)[:, p:], point.coordinates[:, p:]
-        held = stops_wanted(self.network, position, force, self.held, self.limit)
+        held = bodies_at_stops(self.network, position, force, self.held, self.limit)
         bare = force - self.rubbing.force
         rubbing = self.rubbing.after(bare, position, self.held, held)
         return replace(self, held=held, rubbing=rubbing)

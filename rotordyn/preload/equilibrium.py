@@ -107,7 +107,7 @@ def confirmed(network: Network, net: NetworkState) -> NetworkState:
 
 
 def _newton(network: Network, response: Response, miss: Array, fixed: Flags) -> Array:
-    """Return the step that balances the linearised forces; a free body gets a soft spring."""
+    """Return the step that balances linearised forces; bodies without springs get a soft one."""
     b, stiffness = network.incidence, network.springs.stiffness
     slope = network.tandem * np.where(response.slope > 0.0, response.slope, 0.0)
     k = np.einsum("jn,sj,jm->snm", b, slope, b)

@@ -78,9 +78,9 @@ def _ball_growth(
     rises = _rises(seat, speed, temperatures)
     if temperatures is None:  # zero; saves the import
         return rises.balls, rises.balls
-    from bearings.heat.temperature import swollen
+    from bearings.heat.temperature import ball_expansion
 
-    return swollen(seat.bearing, rises.balls, rises.inner, rises.outer)
+    return ball_expansion(seat.bearing, rises.balls, rises.inner, rises.outer)
 
 
 def _fitted(
@@ -178,7 +178,7 @@ def _cylinder(inner: float, outer: float, material: Material, rise: float) -> Cy
     """Return a body ``rise`` [K] warmer than at assembly."""
     from bearings.fit.compound import Cylinder
 
-    alpha = material.thermal_expansion
+    alpha = material.expansion
     return Cylinder(inner, outer, material, rise if alpha else 0.0, alpha)
 
 

@@ -32,13 +32,15 @@ SLOW = 0.5  # of the previous step: larger ones are extrapolated
 
 
 class Flow(NamedTuple):
-    """Lubrication and cooling of bearings; ``friction``, ``oil_factor``: of their losses."""
+    """Lubrication and cooling of bearings; ``friction``, ``oil_factor``: of their losses;
+    ``housing_expansion`` along the axis [1/K], None where it is that of the fits."""
 
     lubricant: Lubricant
     conductances: Conductances
     surroundings: Surroundings
     friction: float
     oil_factor: float
+    housing_expansion: float | None = None
 
 
 class HeatBalance(NamedTuple):
@@ -86,7 +88,7 @@ def heat_balance(solve: Solve, speed: Array, spindle: Spindle, flow: Flow) -> He
         active &= ~over & (size >= TOLERANCE)
         if not active.any():
             break
-    failures[active] = "temperatures do not settle, cool more, lower the preload or take springs"
+    failures[active] = "temperatures do not settle: cool more, lower the preload or take springs"
     outcome = tuple(
         f"bearings at {rpm:.0f} rpm: {failure}" if failure else ""
         for failure, rpm in zip(failures, speed * 30.0 / np.pi, strict=True)
@@ -136,6 +138,7 @@ def tables(temperature: Array, speed: Array, names: tuple[str, ...], flow: Flow)
         housing=around.housing,
         bearings=by_name,
         speeds=tuple(speed.tolist()),
+        housing_expansion=flow.housing_expansion,
     )
 
 
@@ -153,6 +156,19 @@ def contact_heat(state: PreloadState, flow: Flow) -> tuple[Array, Flags]:
         heat[:, k] = by_batch[id(balls)][:, column]
     usable = np.array([outcome == "" for outcome in state.outcome])
     return np.where(usable[:, None, None], np.nan_to_num(heat), 0.0), usable
+
+
+def spindle_heat(state: PreloadState, flow: Flow) -> Array:
+    """Return the heat of contacts and oil of every bearing at the temperatures of a state
+    (speeds, bearings) [W]."""
+    seats, speed, temperatures = state.spindle.seats, state.speed, state.temperatures
+    celsius = np.full((len(speed), len(seats), 3), MEASURED)
+    if temperatures is not None:
+        for k, seat in enumerate(seats):
+            celsius[:, k, 0] = temperatures.reference + temperatures.rises(seat.name, speed).balls
+    pitches = np.array([seat.bearing.pitch_diameter for seat in seats])
+    contacts, _ = contact_heat(state, flow)
+    return with_oil(contacts, celsius, pitches, speed, flow).sum(axis=-1)
 
 
 def _temperatures(contacts: Array, pitches: Array, speed: Array, flow: Flow) -> Array:

@@ -9,9 +9,10 @@ faster solver for cycles of force alone, for identification.
 from __future__ import annotations
 
 import math
-from bisect import bisect_left
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 from itertools import chain, groupby, pairwise
 from typing import NamedTuple
 
@@ -31,6 +32,7 @@ from rotordyn.preload.arrangement import (
 )
 from rotordyn.preload.axial_tables import axial_tables, deflection_of
 from rotordyn.preload.network import Network as PreloadNetwork
+from rotordyn.preload.passed_speeds import passed_speeds
 from rotordyn.preload.state import PreloadState
 from rotordyn.state import NoEquilibrium
 from rotordyn.state.along import along, parts, passed
@@ -41,6 +43,7 @@ from rotordyn.state.rates import compliance, updated_contacts
 from rotordyn.state.rest import mounted_state
 
 SLIDING = 1e-9  # of the limit of friction: what is closer to it slides
+PARTS = 16  # of a way between temperatures: laws of rings that grow by µm are far from linear
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -48,9 +51,10 @@ class History:
     """Axial ``network`` of the spindle and the loads of its history.
 
     ``of_seat``: index of the network's bearing at each seat; ``rest``: load at assembly;
-    ``before``: loads up to the run-up; ``through``: load at each speed as the run-up passes it;
-    ``after``: loads that follow there; ``loads``: the last one at each speed. ``lower``: number of
-    speeds below the one at which the run-up begins.
+    ``before``: loads up to the run-up; ``passed``: loads on the way to each speed, from the last
+    one passed on the way to its neighbour; ``through``: load as the run-up reaches it; ``after``:
+    loads that follow there; ``loads``: the last one at each speed. ``lower``: number of speeds
+    below the one at which the run-up begins.
     """
 
     network: Network
@@ -58,6 +62,7 @@ class History:
     rest: Load
     loads: tuple[Load, ...]
     before: tuple[Load, ...]
+    passed: tuple[tuple[Load, ...], ...]
     through: tuple[Load, ...]
     after: tuple[tuple[Load, ...], ...]
     lower: int
@@ -71,10 +76,15 @@ class History:
         # upward from the speed of the last step before, and downward from it: two separate paths
         for route in (rows[self.lower :], rows[: self.lower][::-1]):
             state, load = initial, path[-1]
+            reached: dict[int, State | str] = {}  # by the load there, as a speed of the case
             for row in route:
-                state = self._followed(state, (load, self.through[row]))
-                load = self.through[row]
-                ends[row] = self._followed(state, (load, *self.after[row]))
+                for point in self.passed[row]:
+                    state = reached.get(id(point)) or self._followed(state, (load, point))
+                    load = point
+                # a branch of its own: the way goes on from the point passed last
+                there = self._followed(state, (load, self.through[row]))
+                reached[id(self.through[row])] = there
+                ends[row] = self._followed(there, (self.through[row], *self.after[row]))
         return ends
 
     def _followed(self, state: State | str, path: Sequence[Load]) -> State | str:
@@ -179,65 +189,105 @@ def history(preload: PreloadState, reach: float) -> History:
     deflection = assembled.deflection(preload.mounted.position)[0].tolist()
     by_seat = preload.mounted_load().tolist()
     loads, models = zip(*((by_seat[b.seats[0]], b.model) for b in joined.bearings), strict=True)
-    bearings = zip(laws.at(0.0, warm=False)[0], models, loads, deflection, strict=True)
+    bearings = zip(laws.at(0.0, warm=0.0)[0], models, loads, deflection, strict=True)
     network = _network(preload, joined, np.array([deflection_of(*bearing) for bearing in bearings]))
 
+    @cache  # one load for each moment
     def load(at: Moment) -> Load:
         push, gap = np.zeros((2, len(joined.bodies)))
         of_bearings, shift, at_supports = laws.at(at.speed, warm=at.warm)
         push[SHAFT], gap[SHAFT] = at.force, -at_supports
         return Load(push, shift, gap, of_bearings)
 
-    before, through, after = moments(past, joined.speed.tolist(), preload.force)
-    start = Moment(0.0, False, 0.0)
-    laws.all_at([*before, *through, *chain(*after)])
+    speeds, between = joined.speed.tolist(), _passed_speeds(preload).tolist()
+    parts = _parts(preload)
+    before, passed, through, after = moments(past, speeds, preload.force, between, parts)
+    start = Moment(0.0, 0.0, 0.0)
+    laws.all_at([*before, *chain(*passed), *through, *chain(*after)])
     return History(
         network,
         of_seat=joined.bearing_of_seat,
         rest=load(start),
         loads=tuple(load(path[-1]) for path in after),
         before=tuple(load(at) for at in before),
+        passed=tuple(tuple(load(at) for at in way) for way in passed),
         through=tuple(load(at) for at in through),
         after=tuple(tuple(load(at) for at in path[1:]) for path in after),
-        lower=bisect_left(joined.speed.tolist(), (before or [start])[-1].speed),
+        lower=bisect_left(speeds, (before or [start])[-1].speed),
     )
 
 
 class Moment(NamedTuple):
-    """Point of a history: speed [rad/s], whether at operating temperature, axial force [N]."""
+    """Point of a history: speed [rad/s], share of the way to operating temperature, axial force
+    [N]."""
 
     speed: float
-    warm: bool
+    warm: float
     force: float
 
 
+class Moments(NamedTuple):
+    """Points ``before`` the run-up, those ``passed`` on it since the neighbour of each speed, at
+    each speed as it comes ``through``, and from there on."""
+
+    before: list[Moment]
+    passed: list[list[Moment]]
+    through: list[Moment]
+    after: list[list[Moment]]
+
+
 def moments(
-    past: Past, speeds: Sequence[float], force: float
-) -> tuple[list[Moment], list[Moment], list[list[Moment]]]:
-    """Return points before the run-up, at each of ``speeds`` on it, and from each of these on.
+    past: Past, speeds: Sequence[float], force: float, between: Sequence[float] = (), parts: int = 1
+) -> Moments:
+    """Return the points of a history up to each of ``speeds``; its ways from speed to speed lead
+    through those ``between`` [rad/s], ascending, temperatures change in so many ``parts``.
 
     In the end every speed has its temperatures, and the axial ``force`` [N] on the shaft.
     """
-    current = Moment(0.0, False, past.weight)
+    current = Moment(0.0, 0.0, past.weight)
     before = [] if past.weight == 0.0 else [current]
     for step in past.before:
-        before += _changed(step, current, past.weight, speeds)
+        before += _changed(step, current, past.weight, between, parts)
         current = before[-1]
+    passed: list[list[Moment]] = [[] for _ in speeds]
+    rows, lower = range(len(speeds)), bisect_left(speeds, current.speed)
+    for route in (rows[lower:], rows[:lower][::-1]):
+        last = current
+        for row in route:
+            # where no way turns, those of the case are as good, and are solved anyway
+            passed[row] = _way(last, speeds[row], between or speeds)
+            last = [last, *passed[row]][-1]
     through = [current._replace(speed=speed) for speed in speeds]
     after = []
     for passage in through:
         path = [passage]
         for step in past.after:
-            path += _changed(step, path[-1], past.weight, ())
-        path += [path[-1]._replace(warm=True), Moment(passage.speed, True, force)]
+            path += _changed(step, path[-1], past.weight, (), parts)
+        path += [*_warming(path[-1], 1.0, parts), Moment(passage.speed, 1.0, force)]
         after.append([path[0], *(b for a, b in pairwise(path) if a != b)])
-    return before, through, after
+    return Moments(before, passed, through, after)
+
+
+def _passed_speeds(preload: PreloadState) -> Array:
+    """Return the speeds that the ways of its history lead through."""
+    top = max(*preload.speed.tolist(), *preload.past.speeds)
+    return passed_speeds(preload.spindle, top, preload.temperatures)
+
+
+def _parts(preload: PreloadState) -> int:
+    """Return the number of parts in which its history changes temperatures."""
+    return 1 if preload.temperatures is None else PARTS
+
+
+def _all_speeds(preload: PreloadState) -> Array:
+    """Return all speeds of a preload state and its history, ascending."""
+    return np.unique([*preload.speed, *preload.past.speeds, *_passed_speeds(preload)])
 
 
 def _separated(preload: PreloadState) -> Arrangement:
     """Return the arrangement of a preload state; bearings that do not stay identical through its
     history are separate."""
-    joined, speeds = preload.network.arrangement, np.union1d(preload.speed, preload.past.speeds)
+    joined, speeds = preload.network.arrangement, _all_speeds(preload)
     conditions = preload.law, preload.temperatures, preload.films
     groups = arrangement(preload.spindle, speeds, 0.0, *conditions).bearing_of_seat
     bearings = [
@@ -250,39 +300,54 @@ def _separated(preload: PreloadState) -> Arrangement:
 
 def _require_allowed(preload: PreloadState, bearings: int) -> None:
     """Raise TooCostly if load tables and steps of the history take more than is allowed."""
-    past, speeds = preload.past, preload.speed.tolist()
-    steps = most_moments(past, speeds)
-    table_speeds = {0.0, *speeds, *(step.speed for step in past.steps if step.speed is not None)}
-    laws = len(table_speeds) * bearings
-    if preload.temperatures is not None and past.cold:
-        laws *= 2
+    past, between, parts = preload.past, _passed_speeds(preload).tolist(), _parts(preload)
+    steps = most_moments(past, len(preload.speed), between, parts)
+    laws = len(_all_speeds(preload)) * bearings
+    if preload.temperatures is not None:
+        changed_at = len(preload.speed) if past.cold or past.after else 1
+        laws = laws * (2 if past.cold else 1) + changed_at * parts * bearings
     what = f"history: {steps} steps and {laws} load tables of bearings"
     require_history(what, laws, steps)
 
 
-def most_moments(past: Past, speeds: Sequence[float]) -> int:
-    """Return an upper bound of the number of ``moments``."""
-    current, count = 0.0, 0
+def most_moments(past: Past, speeds: int, between: Sequence[float] = (), parts: int = 1) -> int:
+    """Return an upper bound of the number of ``moments`` at so many ``speeds``."""
+    before, after = (
+        (parts - 1) * sum(step.warm is not None for step in steps)
+        for steps in (past.before, past.after)
+    )
+    current, count = 0.0, before
     for step in past.before:
         goal = current if step.speed is None else step.speed
-        count += 1 + abs(bisect_left(speeds, goal) - bisect_left(speeds, current))
+        count += 1 + abs(bisect_left(between, goal) - bisect_left(between, current))
         current = goal
-    return count + len(speeds) * (len(past.after) + 3)
+    at_each = len(past.after) + after + 2 + (parts if past.cold or after else 1)
+    return count + len(between) + speeds * at_each
 
 
 def _changed(
-    step: HistoryStep, start: Moment, weight: float, speeds: Sequence[float]
+    step: HistoryStep, start: Moment, weight: float, between: Sequence[float], parts: int
 ) -> list[Moment]:
-    """Return the points to which a step leads from ``here``, one at each of ``speeds`` between."""
+    """Return the points to which a step leads from ``start``."""
     if step.warm is not None:
-        return [start._replace(warm=step.warm)]
+        return _warming(start, float(step.warm), parts)
     if step.axial_force is not None:
         return [start._replace(force=weight + step.axial_force)]
     goal = start.speed if step.speed is None else step.speed
+    return [*_way(start, goal, between), start._replace(speed=goal)]
+
+
+def _warming(start: Moment, goal: float, parts: int) -> list[Moment]:
+    """Return the points on the way from ``start`` to a share of the operating temperatures."""
+    shares = np.linspace(start.warm, goal, parts + 1)[1:] if start.warm != goal else [goal]
+    return [start._replace(warm=float(share)) for share in shares]
+
+
+def _way(start: Moment, goal: float, between: Sequence[float]) -> list[Moment]:
+    """Return the points on the way from ``start`` to another speed, without both."""
     low, high = sorted((start.speed, goal))
-    route = [*(speed for speed in speeds if low < speed < high), high]
-    route = route if goal >= start.speed else [*route[-2::-1], low]
-    return [start._replace(speed=speed) for speed in route]
+    inside = between[bisect_right(between, low) : bisect_left(between, high)]
+    return [start._replace(speed=at) for at in (inside if goal > low else inside[::-1])]
 
 
 class BearingLaws:
@@ -291,13 +356,13 @@ class BearingLaws:
 
     def __init__(self, preload: PreloadState, joined: Arrangement, most: float) -> None:
         self.preload, self.joined, self.most = preload, joined, most
-        self.speeds = np.union1d(preload.speed, preload.past.speeds)
-        self._arranged: dict[bool, Arrangement] = {}  # at all of these, warm or not
-        self._known: dict[tuple[float, bool], tuple[tuple[AxialLaw, ...], Array, float]] = {}
+        self.speeds = _all_speeds(preload)
+        self._arranged: dict[float, Arrangement] = {}  # at all of these, cold and warm
+        self._known: dict[tuple[float, float], tuple[tuple[AxialLaw, ...], Array, float]] = {}
 
-    def at(self, speed: float, *, warm: bool) -> tuple[tuple[AxialLaw, ...], Array, float]:
+    def at(self, speed: float, *, warm: float) -> tuple[tuple[AxialLaw, ...], Array, float]:
         """Return laws, shifts (bearings,) [m] and that of the shaft at its supports [m], at a speed
-        [rad/s], at operating temperature or not."""
+        [rad/s], at a share ``warm`` of the way to operating temperature."""
         key = self._key(speed, warm)
         self._solve([key])
         return self._known[key]
@@ -306,11 +371,11 @@ class BearingLaws:
         """Solve the laws of all ``moments`` together, which is faster."""
         self._solve(dict.fromkeys(self._key(moment.speed, moment.warm) for moment in moments))
 
-    def _key(self, speed: float, warm: bool) -> tuple[float, bool]:
-        return speed, warm and self.preload.temperatures is not None
+    def _key(self, speed: float, warm: float) -> tuple[float, float]:
+        return speed, 0.0 if self.preload.temperatures is None else warm
 
-    def _solve(self, keys: Iterable[tuple[float, bool]]) -> None:
-        """Solve laws at those keys (speed, warm or not) that are new."""
+    def _solve(self, keys: Iterable[tuple[float, float]]) -> None:
+        """Solve laws at those keys (speed, share of warmth) that are new."""
         new = {key: self._bearings(*key) for key in keys if key not in self._known}
         flat = [bearing for bearings, _ in new.values() for bearing in bearings]
         speeds = [speed for (speed, _), (bearings, _) in new.items() for _ in bearings]
@@ -319,8 +384,12 @@ class BearingLaws:
             shift = np.array([bearing.shortening[0] for bearing in bearings])
             self._known[key] = tuple(next(tables) for _ in bearings), shift, at_supports
 
-    def _bearings(self, speed: float, warm: bool) -> tuple[list[AxialBearing], float]:
+    def _bearings(self, speed: float, warm: float) -> tuple[list[AxialBearing], float]:
         """Return the bearings at a speed, and the shift of the shaft at its supports [m]."""
+        if warm not in (0.0, 1.0):  # thermal growth is linear in the temperatures
+            (cold, cold_shift), (hot, hot_shift) = (self._bearings(speed, at) for at in (0.0, 1.0))
+            between = [_between(*pair, warm) for pair in zip(cold, hot, strict=True)]
+            return between, (1.0 - warm) * cold_shift + warm * hot_shift
         if warm not in self._arranged:
             state = self.preload
             conditions = state.law, state.temperatures if warm else None, state.films
@@ -331,6 +400,13 @@ class BearingLaws:
             at_speed.bearings[of_seat[bearing.seats[0]]] for bearing in self.joined.bearings
         ]
         return bearings, float(at_speed.support_shift[0])
+
+
+def _between(cold: AxialBearing, hot: AxialBearing, warm: float) -> AxialBearing:
+    """Return a bearing at a share of the way from one state to the other."""
+    growth = (1.0 - warm) * cold.growth + warm * hot.growth
+    shortening = (1.0 - warm) * cold.shortening + warm * hot.shortening
+    return replace(cold, growth=growth, shortening=shortening)
 
 
 def _network(preload: PreloadState, joined: Arrangement, deflection: Array) -> Network:

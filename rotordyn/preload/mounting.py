@@ -51,7 +51,7 @@ def mounted_preloads(spindle: Spindle) -> list[float]:
         return forces
     from scipy.optimize import brentq
 
-    directions = [spring_way(spindle, sleeve) for sleeve in spindle.sleeves]
+    directions = [spring_direction(spindle, sleeve) for sleeve in spindle.sleeves]
     by_offset = {k: sides(spindle, spindle.sleeves[k])[0] for k in offsets}
     housing = Side(spindle, _in_housing(spindle))
     spring_force = sum(
@@ -103,10 +103,12 @@ def ring_offset(spindle: Spindle, sleeve: Sleeve, force: float) -> float:
     InvalidInput : no bearing in the housing opposes it
     """
     on_sleeve, facing = sides(spindle, sleeve)
-    direction, opposing = spring_way(spindle, sleeve), force
+    direction, opposing = spring_direction(spindle, sleeve), force
     if len(spindle.sleeves) > 1:
         preloads = zip(spindle.sleeves, mounted_preloads(spindle), strict=True)
-        opposing += direction * sum(spring_way(spindle, s) * f for s, f in preloads if s != sleeve)
+        opposing += direction * sum(
+            spring_direction(spindle, s) * f for s, f in preloads if s != sleeve
+        )
     if opposing < 0.0:  # the others push harder, against bearings of the same thrust
         same_thrust = Side(spindle, _in_housing(spindle, -direction))
         return on_sleeve.approach(force, -direction) - same_thrust.approach(-opposing, -direction)
@@ -188,7 +190,7 @@ def sides(spindle: Spindle, sleeve: Sleeve) -> tuple[Side, Side]:
     InvalidInput : no bearing in the housing opposes the sleeve
     """
     on_sleeve = [seat for seat in spindle.seats if seat.name in sleeve.bearings]
-    facing = _in_housing(spindle, spring_way(spindle, sleeve))
+    facing = _in_housing(spindle, spring_direction(spindle, sleeve))
     if not facing:
         raise InvalidInput(
             f"sleeve {sleeve.name}: nothing in the housing takes the thrust of its bearings: a "
@@ -197,7 +199,7 @@ def sides(spindle: Spindle, sleeve: Sleeve) -> tuple[Side, Side]:
     return Side(spindle, on_sleeve), Side(spindle, facing)
 
 
-def spring_way(spindle: Spindle, sleeve: Sleeve) -> int:
+def spring_direction(spindle: Spindle, sleeve: Sleeve) -> int:
     """Return the direction ±1 in which the spring pushes a sleeve, against its bearings' thrust."""
     return -next(seat.thrust for seat in spindle.seats if seat.name in sleeve.bearings)
 

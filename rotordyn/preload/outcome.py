@@ -17,7 +17,7 @@ from rotordyn.preload.network import Network, NetworkState
 
 LEAST_PRELOAD = 0.05  # N: by rounding of ball positions loads below are known to 1e-9 at best
 STILL = 1e-9  # m
-UNASKED = 1.0  # N: substitute load of bearings that carry none at rest
+UNASKED = 1.0  # N: substitute load of bearings that carry none at rest, or an unknown one
 LEAST_LOAD = 1e-6  # of the largest axial force: below it a bearing counts as unloaded
 
 
@@ -61,10 +61,10 @@ def _sideways(
     """Return the failure of a support that couples axial shift to other motion: bearings are solved
     under axial load alone."""
     shift = float(net.position[row, SHAFT] - rest.position[0, SHAFT])
-    pushing = [support for support in spindle.supports if support.sideways]
+    pushing = [support for support in spindle.supports if support.axial_coupling]
     if not pushing or abs(shift) <= STILL:
         return ""
-    names = ", ".join(entry_name(*ends) for ends in pushing[0].sideways)
+    names = ", ".join(entry_name(*ends) for ends in pushing[0].axial_coupling)
     rpm = network.arrangement.speed[row] * 30.0 / math.pi
     return (
         f"support {pushing[0].name} pushes the shaft aside at {rpm:.0f} rpm, where it stands "

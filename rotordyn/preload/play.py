@@ -15,6 +15,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import accumulate
 
 import numpy as np
 
@@ -35,6 +36,7 @@ from rotordyn.preload.arrangement import (
 )
 from rotordyn.preload.axial_curves import BearingCurves, Curve
 from rotordyn.preload.on_films import Films
+from rotordyn.preload.passed_speeds import passed_speeds
 
 GRID = np.arange(-1500.0, 500.0, 4.0)  # positions of the shaft tried around the last one
 STEPS, EXACT, BALANCED = 60, 1e-12, 1e-5  # of the search between two grid points [m], [N]
@@ -244,7 +246,9 @@ def axial_run_up(
     NoSolution : nothing holds the shaft, or a bearing has no state
     """
     curves = curves or BearingCurves()
-    joined = arrangement(spindle, speed, force, law, temperatures, films)
+    between = passed_speeds(spindle, float(speed.max(initial=0.0)), temperatures)
+    speeds = np.concatenate([between, speed])
+    joined = arrangement(spindle, speeds, force, law, temperatures, films)
     at_rest = [temperatures] if weight == 0.0 or temperatures is None else [None, temperatures]
     resting = [arrangement(spindle, np.zeros(1), force, law, t) for t in at_rest]
     mounted = _mounted(as_mounted(joined), curves)
@@ -253,15 +257,23 @@ def axial_run_up(
         for arranged in (*resting, joined)
         for row, of_bearings in enumerate(curves.of(arranged))
     ]
-    passed = mounted
-    reached = [passed := machine.solved(np.array([weight]), passed)[0] for machine in at]
-    if force != weight:
-        pairs = zip(at, reached, strict=True)
-        reached = [machine.solved(np.array([force]), state)[0] for machine, state in pairs]
-    run_up = len(resting)
-    idle = np.array(reached[run_up:]).reshape(-1, len(mounted))
-    standstill = reached[run_up - 1]
-    return AxialRunUp(joined.bodies, speed, force, mounted, standstill, idle, tuple(at[run_up:]))
+    resting_count, passing = len(resting), len(resting) + len(between)
+
+    def under_weight(machine: AtSpeed, before: Array) -> Array:
+        return machine.solved(np.array([weight]), before)[0]
+
+    def loaded(machine: AtSpeed, before: Array) -> Array:
+        state = under_weight(machine, before)
+        return state if force == weight else machine.solved(np.array([force]), state)[0]
+
+    way = list(accumulate(at[:passing], lambda state, at: under_weight(at, state), initial=mounted))
+    standstill = loaded(at[resting_count - 1], way[resting_count - 1])
+    begins = np.searchsorted(between, speed) + resting_count
+    idle = [loaded(at_speed, way[k]) for at_speed, k in zip(at[passing:], begins, strict=True)]
+    positions = np.array(idle).reshape(-1, len(mounted))
+    return AxialRunUp(
+        joined.bodies, speed, force, mounted, standstill, positions, tuple(at[passing:])
+    )
 
 
 def _mounted(resting: Arrangement, known: BearingCurves) -> Array:

@@ -11,6 +11,7 @@ from rotordyn.machine.growth import ComputedShortening, PrescribedShortening
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
+from rotordyn.preload.housing_expansion import housing_expansion
 
 
 def seat_shifts(spindle: Spindle, speed: Array) -> Array:
@@ -19,7 +20,7 @@ def seat_shifts(spindle: Spindle, speed: Array) -> Array:
     if isinstance(rule, PrescribedShortening):
         shifts = [rule.shift.get(seat.name, 0.0) for seat in spindle.seats]
         return np.multiply.outer((speed / rule.speed) ** 2, shifts)
-    return _shortened(spindle, speed, [seat.x for seat in spindle.seats])
+    return shortened(spindle, speed, [seat.x for seat in spindle.seats])
 
 
 def thermal_shifts(spindle: Spindle, speed: Array, temperatures: Temperatures) -> Array:
@@ -43,13 +44,13 @@ def support_shift(spindle: Spindle, speed: Array, temperatures: Temperatures | N
     if not stiffness.sum():
         return np.zeros(len(speed))
     stations = [support.x for support in spindle.supports]
-    shifts = _shortened(spindle, speed, stations)
+    shifts = shortened(spindle, speed, stations)
     if temperatures is not None:
         shifts = shifts + _expanded(spindle, speed, temperatures, stations)
     return np.asarray(shifts @ stiffness / stiffness.sum())
 
 
-def _shortened(spindle: Spindle, speed: Array, stations: Sequence[float]) -> Array:
+def shortened(spindle: Spindle, speed: Array, stations: Sequence[float]) -> Array:
     """Return the computed shift of the shaft at stations [m] by rotation (speeds, stations) [m]."""
     rule = spindle.shortening
     if not isinstance(rule, ComputedShortening):
@@ -66,7 +67,8 @@ def _expanded(
     start = rule.reference if isinstance(rule, ComputedShortening) else min(s.x for s in seats)
     rises = temperatures.rises(seats[0].name, speed)  # of shaft and housing, equal at all seats
     shaft = [expansion(spindle.shaft, start, x) for x in stations]
-    housing = [temperatures.housing_expansion * (x - start) for x in stations]
+    alpha = housing_expansion(spindle, temperatures.housing_expansion)
+    housing = [alpha * (x - start) for x in stations]
     return np.multiply.outer(rises.shaft, shaft) - np.multiply.outer(rises.housing, housing)
 
 
@@ -78,7 +80,7 @@ def expansion(shaft: Shaft, start: float, end: float) -> float:
         shaft.sections, shaft.boundaries[:-1], shaft.boundaries[1:], strict=True
     ):
         length = max(min(right, high) - max(left, low), 0.0)
-        total += length * section.material.thermal_expansion
+        total += length * section.material.expansion
     return total if end >= start else -total
 
 

@@ -34,17 +34,17 @@ def with_stops(network: Network, limit: Array, start: Array) -> NetworkState:
     net = solve(network, start, held, limit)
     for _ in range(2 * limit.shape[1] + 2):
         force = network.forces(net.position, net.response)
-        updated = stops_wanted(network, net.position, force, held, limit)
+        updated = bodies_at_stops(network, net.position, force, held, limit)
         if (updated == held).all():
             return net
         held = updated
         net = solve(network, net.position, held, limit, net.response)
     force = network.forces(net.position, net.response)
-    stable = stops_wanted(network, net.position, force, held, limit) == held
+    stable = bodies_at_stops(network, net.position, force, held, limit) == held
     return replace(net, converged=net.converged & stable.all(axis=1))
 
 
-def stops_wanted(
+def bodies_at_stops(
     network: Network, position: Array, force: Array, held: Flags, limit: Array
 ) -> Flags:
     """Return the bodies (speeds, bodies) that must be at their stops.

@@ -178,7 +178,7 @@ def _sensitivities(interval: Interval) -> list[Column]:
 
 
 def _pairs(interval: Interval, head: str, entries: Sequence[str]) -> list[Column]:
-    """Columns with a row for every number and each of ``others``, which are under ``head``."""
+    """Columns with a row for every number and each of ``entries``, which are under ``head``."""
     return [
         ("number", [name for name in interval.number for _ in entries]),
         ("unit", [unit for unit in interval.unit for _ in entries]),

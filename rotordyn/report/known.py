@@ -31,7 +31,7 @@ def known_beside_ours(match: Match) -> str:
         for speed, known, ours in zip(reference.speeds, reference.values, match.values, strict=True)
     ]
     where = "" if single else " @ rpm"
-    return f"{_subject(reference)}: {reference.kind} | ours{where}: {', '.join(pairs)}"
+    return f"{_subject(reference)}: {reference.kind} | computed{where}: {', '.join(pairs)}"
 
 
 def known_values(reference: Reference) -> str:

@@ -117,7 +117,7 @@ def slipping(what: str, speed: NDArray[np.float64], races: NDArray[np.str_]) -> 
     return f"{what}: the balls slip on {race} {which_of(speed, slips)} (friction as given)"
 
 
-def gripping(what: str, speed: NDArray[np.float64], grip: NDArray[np.float64]) -> str:
+def friction_warning(what: str, speed: NDArray[np.float64], grip: NDArray[np.float64]) -> str:
     """A warning where rolling without slip requires high friction at some speed, else nothing.
 
     0.1 is about the most that oil-lubricated steel on steel has (Harris and Kotzalas, Rolling

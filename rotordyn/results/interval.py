@@ -26,8 +26,8 @@ class Interval:
     Numbers are in the units in which they are printed, ``unit``; NaN where there is none. Ranges
     over hypotheses hold every combination; those over tolerances 95 of 100 machines whose numbers
     lie anywhere within their tolerances, ``worst`` all of them. ``effect``: change of a number with
-    one source at its end. ``interaction``: difference of two machines with all tolerances at their
-    ends from the sum of effects, over the range, NaN where ranges are those of samples. Curves
+    one source at its end. ``interaction``: difference of two machines with all tolerances off at
+    once from the sum of effects, over the range, NaN where ranges are those of samples. Curves
     are concatenated (``point``).
 
     ``without``: number of combinations without such a number (a stop not reached, an unloaded

@@ -227,13 +227,13 @@ def _isotropy_faults(support: LinearSupport) -> Faults:
         return
     import numpy as np
 
-    from rotordyn.equation.support import answers_alike, support_matrices
+    from rotordyn.equation.support import is_isotropic, support_matrices
 
     speeds = np.array(support.speeds or (0.0,))
     for name in ("stiffness", "damping"):
         entries = getattr(support, name).values()
         valid = not any(isinstance(value, float) and math.isnan(value) for value in entries)
-        if valid and not answers_alike(support_matrices(support, name, speeds)):
+        if valid and not is_isotropic(support_matrices(support, name, speeds)):
             differs = "differs between directions about the axis"
             yield _no_rotating_frame(f"the {name} of support '{support.name}' {differs}")
 
@@ -349,8 +349,8 @@ def _coupling_faults(setting: Setting) -> Faults:
     if not (by_speed or acting or conditions.loads):
         return
     for support in setting.spindle.supports:
-        if support.sideways:
-            names = ", ".join(entry_name(*pair) for pair in support.sideways)
+        if support.axial_coupling:
+            names = ", ".join(entry_name(*pair) for pair in support.axial_coupling)
             yield (
                 ("spindle",),
                 f"support '{support.name}' pushes the shaft aside as its preload state moves it "

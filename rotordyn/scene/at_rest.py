@@ -25,7 +25,7 @@ from rotordyn.equation.holding import (
     length_scale,
     rigid_motion,
     rigidly_held,
-    unheld_motions,
+    unrestrained_motions,
 )
 from rotordyn.equation.mesh import Mesh
 from rotordyn.equation.reactions import Held, reactions
@@ -179,7 +179,7 @@ def require_balance(spindle: Spindle, x: Array, loads: Iterable[Array]) -> Array
     ------
     InvalidInput : they do not: the shaft is a free body
     """
-    free, scale = unheld_motions(spindle), length_scale(spindle)
+    free, scale = unrestrained_motions(spindle), length_scale(spindle)
     if not free.shape[1]:
         return free
     motion = rigid_motion(x, float(x[0])) / scale

@@ -9,7 +9,7 @@ import numpy as np
 
 from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.equation.seat import in_spindle_frame
-from rotordyn.equation.statics import withstands
+from rotordyn.equation.statics import stays_stable
 from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import State
 from rotordyn.machine.spindle import Spindle
@@ -66,7 +66,7 @@ class Loading:
         stops = np.zeros((len(self.speed), len(structure.spindle.sleeves)), dtype=bool)
         tangents = in_spindle_frame(spindle.seats, self.seat_stiffness)
         state = State(self.speed, tangents, stops)
-        return withstands(structure, state, force, bar)
+        return stays_stable(structure, state, force, bar)
 
     def _sentence(self, rpm: float) -> str:
         """Return the message of a single state that buckles."""

@@ -34,10 +34,10 @@ class Conditions(Description):
     kinematics: Annotated[
         str,
         Choice(KINEMATICS),
-        "how a ball's rotation axis is found ([theory](theory/ball.md))",
+        "hypothesis of the ball's rotation axis ([theory](theory/ball.md))",
     ] = "hybrid"
     moment_sharing: Annotated[
-        str, Choice(MOMENT_SHARING), "which race carries the gyroscopic moment"
+        str, Choice(MOMENT_SHARING), "race that carries the gyroscopic moment"
     ] = "equal"
     friction: Annotated[
         Friction,
@@ -81,8 +81,8 @@ class Conditions(Description):
     ] = ()
     temperatures: Annotated[
         Temperatures | None,
-        "of shaft, housing, rings and balls; by default those at which all is measured "
-        "([what they do](theory/rings.md#temperature))",
+        "temperatures of shaft, housing, rings and balls; by default those of the "
+        "reference ([what they do](theory/rings.md#temperature))",
     ] = None
     heat_flow: Annotated[
         SpindleHeatFlow | None,
@@ -91,10 +91,10 @@ class Conditions(Description):
     ] = None
     history: Annotated[
         tuple[HistoryStep, ...],
-        "what happened from assembly on, step by step; dry friction of sleeves remembers it. By "
-        "default the spindle takes its temperatures and runs up through the speeds of the case. "
-        "At each of them the temperatures and forces of the conditions follow in the end "
-        "([how](theory/network.md#friction-in-all-analyses))",
+        "steps from assembly on, which dry friction of sleeves remembers. By default "
+        "the spindle takes its temperatures and runs up to every speed of the case. "
+        "At each of them the temperatures and forces of the conditions follow in the "
+        "end ([how](theory/network.md#friction-in-all-analyses))",
     ] = ()
     films: Annotated[
         Lubrication | None,

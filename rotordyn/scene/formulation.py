@@ -57,6 +57,6 @@ def require_isotropic(scene: Scene) -> None:
             )
         if not linear.isotropic:
             raise InvalidInput(
-                "the rotating formulation needs supports that answer alike in all directions, and "
+                "the rotating formulation needs supports that respond alike in all directions, and "
                 "those of this machine do not: use the inertial one"
             )

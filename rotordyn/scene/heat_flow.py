@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated
 
 from rotordyn.description import Description, Faults
+from rotordyn.machine.temperatures import HousingExpansion
 from rotordyn.quantity import Choice, CoolTemperature, Key, ThermalConductance
 from rotordyn.scene.lubrication import Lubrication
 
@@ -23,17 +24,21 @@ BALLS = ("balls_inner", "balls_outer")
 class HeatFlow(Description):
     """Conductances from balls and rings of a bearing to what is around it."""
 
-    inner_shaft: Annotated[ThermalConductance, "from the inner ring to the shaft"]
-    outer_housing: Annotated[ThermalConductance, "from the outer ring to the housing"]
-    shaft: Annotated[CoolTemperature, "of the shaft"]
-    housing: Annotated[CoolTemperature, "of the housing"]
-    oil: Annotated[CoolTemperature, "of the oil where it comes in"]
-    balls_oil: Annotated[ThermalConductance, "from the balls to the oil that leaves"] = 0.0
+    inner_shaft: Annotated[ThermalConductance, "conductance from the inner ring to the shaft"]
+    outer_housing: Annotated[ThermalConductance, "conductance from the outer ring to the housing"]
+    shaft: Annotated[CoolTemperature, "temperature of the shaft"]
+    housing: Annotated[CoolTemperature, "temperature of the housing"]
+    oil: Annotated[CoolTemperature, "inlet temperature of the oil"]
+    balls_oil: Annotated[
+        ThermalConductance, "conductance from the balls to the oil that leaves"
+    ] = 0.0
     balls_inner: Annotated[
-        ThermalConductance | None, "from the balls to the inner ring; by default 1 W/K, a guess"
+        ThermalConductance | None,
+        "conductance from the balls to the inner ring; by default 1 W/K, a guess",
     ] = None
     balls_outer: Annotated[
-        ThermalConductance | None, "from the balls to the outer ring; by default 1 W/K, a guess"
+        ThermalConductance | None,
+        "conductance from the balls to the outer ring; by default 1 W/K, a guess",
     ] = None
 
     def _faults(self) -> Faults:
@@ -93,7 +98,8 @@ class HeatFlow(Description):
 class SpindleHeatFlow(HeatFlow):
     """Conductances from every bearing of a spindle to what is around it, with its lubricant."""
 
-    lubricant: Annotated[Lubrication | None, Key(required=True), "of the bearings"] = None
+    lubricant: Annotated[Lubrication | None, Key(required=True), "lubricant of the bearings"] = None
+    housing_expansion: HousingExpansion = None
 
     @property
     def flow(self) -> Flow:
@@ -104,7 +110,14 @@ class SpindleHeatFlow(HeatFlow):
         lubricant = self.lubricant
         assert lubricant is not None
         factor = OIL_FACTORS[lubricant.supply]
-        return Flow(lubricant.oil, self.conductances, self.surroundings, lubricant.friction, factor)
+        return Flow(
+            lubricant.oil,
+            self.conductances,
+            self.surroundings,
+            lubricant.friction,
+            factor,
+            self.housing_expansion,
+        )
 
 
 @dataclass(frozen=True, slots=True)

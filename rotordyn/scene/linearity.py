@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 RING = [position(way) for way in BEARING_DIRECTIONS]
 PHASES = np.exp(0.25j * np.pi * np.arange(8))  # of an orbit at which loads are compared
 SEEN = 1e-4  # of the load in the preload state: smaller changes are not compared
-TOLD = 0.25  # of the load that the tangent adds
+REPORTED = 0.25  # of the load that the tangent adds
 FAR = 0.1  # m: no machine moves so far
 SMALL = 0.1  # rad: of such an inclination 1 − cos is half a percent, of the curvature 1.5 percent
 LINEAR = Absence(
@@ -43,7 +43,7 @@ def ring_rows(scene: Scene, part: Linear) -> Array:
     return rows
 
 
-def moved_by(scene: Scene, load: Array) -> Array:
+def ring_displacements(scene: Scene, load: Array) -> Array:
     """Return the displacement of rings (usable, seats, 5) by their tangents, under forces and
     moments in the spindle's frame (usable, seats, 6)."""
     turns = [HALF_TURN_ABOUT_Y if seat.thrust < 0 else 1.0 for seat in scene.spindle.seats]
@@ -55,7 +55,7 @@ def moved_by(scene: Scene, load: Array) -> Array:
 def departure(scene: Scene, moved: Array | Complex) -> Array:
     """Return the relative deviation of every bearing's load at usable speeds (usable, seats): what
     its law adds to the preload state, against what its tangent adds, over the latter; infinite
-    where no state exists, NaN with oil films.
+    where a bearing is overloaded, NaN where no equilibrium is found and with oil films.
 
     ``moved`` (usable, seats, 5): displacement of the rings, or amplitude of a harmonic one.
     """
@@ -80,12 +80,12 @@ def departure(scene: Scene, moved: Array | Complex) -> Array:
         least = SEEN * np.linalg.norm(preload.load * lever, axis=-1)
         share = np.where(size > least, miss / np.maximum(size, least + 1e-300), 0.0)  # never 0 / 0
         share = np.where((size == 0.0) & (miss > least), np.inf, share)  # of a bearing without load
-        overloaded = np.asarray(solution.outcome[:, 0] == "overloaded")
-        deviation[:, seat] = np.where(overloaded, np.inf, share).max(axis=-1)
+        exists = np.asarray(solution.outcome[:, 0] == "")
+        deviation[:, seat] = np.where(exists, share, np.inf).max(axis=-1)
     return deviation
 
 
-def beyond_tangents(
+def tangent_warnings(
     what: str, names: Sequence[str], speed: Array | None, apart: NDArray[np.floating]
 ) -> Iterator[str]:
     """Yield a warning where loads of bearings, by ``names``, deviate from those of their tangents
@@ -95,12 +95,12 @@ def beyond_tangents(
     reported = [
         f"{name} by {100.0 * share:.0f} %" if np.isfinite(share) else f"{name} loses any state"
         for name, share in zip(names, worst, strict=True)
-        if share > TOLD
+        if share > REPORTED
     ]
     if reported:
         where = ""
         if speed is not None:
-            beyond = (np.nan_to_num(apart, posinf=np.inf) > TOLD).any(axis=1)
+            beyond = (np.nan_to_num(apart, posinf=np.inf) > REPORTED).any(axis=1)
             where = f", first at {number(float(speed[beyond.argmax()]) * RPM.factor, 0)} rpm"
         yield (
             f"{what}: bearings are moved so far that their loads depart from those of their "

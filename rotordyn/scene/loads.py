@@ -45,7 +45,7 @@ class PointLoad(Description):
     My: Annotated[Moment, "moment about y"] = 0.0
     Mz: Annotated[Moment, "moment about z"] = 0.0
     y: Annotated[Station, "distance from the axis at which the forces act, along y"] = 0.0
-    z: Annotated[Station, "the same along z"] = 0.0
+    z: Annotated[Station, "distance from the axis at which the forces act, along z"] = 0.0
 
     @property
     def on_axis(self) -> tuple[float, ...]:
@@ -82,7 +82,7 @@ class Unbalance(Description):
 
     at: Annotated[At, "where it turns: a point or station"]
     unbalance: Annotated[UnbalanceSize, "mass times distance from the axis"]
-    angle: Annotated[Angle, "of its force, from y towards z"] = 0.0
+    angle: Annotated[Angle, "angular position, from y towards z"] = 0.0
     name: CalledInMessages = ""
 
 
@@ -93,8 +93,8 @@ class EccentricSpan(Description):
     start: From
     to: To
     eccentricity: Annotated[Eccentricity, "distance of its centre of mass from the axis"]
-    angle: Annotated[Angle, "of that distance, from y towards z"] = 0.0
-    name: Annotated[OptionalName, "in results and messages"] = ""
+    angle: Annotated[Angle, "angle of that distance, from y towards z"] = 0.0
+    name: Annotated[OptionalName, "name in results and messages"] = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,9 +114,9 @@ class BalanceGrade(Description):
         "gravity between them, neither below 0.3",
     ]
     phase: Annotated[
-        str, Choice(PHASES), "of the second plane: `static` like the first, `couple` opposite"
+        str, Choice(PHASES), "phase of the second plane: `static` like the first, `couple` opposite"
     ] = "static"
-    angle: Annotated[Angle, "in the first plane, from y towards z"] = 0.0
+    angle: Annotated[Angle, "angular position in the first plane, from y towards z"] = 0.0
 
     def _faults(self) -> Faults:
         if len(self.planes) == 1 and self.phase == "couple":
@@ -127,11 +127,11 @@ class BalanceGrade(Description):
 class TwistLimit(Description):
     """Limit of the twist of the shaft [rad], for which a uniform outer diameter is computed."""
 
-    start: Annotated[At, Key("from"), "one end"]
+    start: Annotated[At, Key("from"), "one end of the piece"]
     to: Annotated[At, "the other end"]
     limit: Annotated[TwistAngle, "angle between the two sections"]
-    bore: Annotated[Bore, "of the uniform shaft whose outer diameter is sought"] = 0.0
-    name: Annotated[OptionalName, "in summary and tables; by default its two ends"] = ""
+    bore: Annotated[Bore, "bore of the uniform shaft whose outer diameter is sought"] = 0.0
+    name: Annotated[OptionalName, "name in summary and tables; by default its two ends"] = ""
 
     @property
     def called(self) -> str:

@@ -31,8 +31,8 @@ class Lubrication(Description):
 
     viscosity_40: Annotated[OilViscosity, "kinematic, at 40 °C"]
     viscosity_100: Annotated[OilViscosity, "kinematic, at 100 °C"]
-    temperature: Annotated[Temperature, "of the oil in the bearings"]
-    supply: Annotated[str, Choice(SUPPLIES), "how the oil comes, for the viscous loss"] = "oil-air"
+    temperature: Annotated[Temperature, "temperature of the oil in the bearings"]
+    supply: Annotated[str, Choice(SUPPLIES), "oil supply, for the viscous loss"] = "oil-air"
     contamination: Annotated[
         Cleanness, "factor eC of ISO 281: 1 extreme cleanness, 0.5 slight contamination, 0 severe"
     ] = 0.5

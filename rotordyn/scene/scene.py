@@ -74,7 +74,7 @@ class Scene(Statics):
         self.checks = checks or Checks()
         self.max_frequency, self.ports, self.finer = max_frequency, ports, finer
         self.top_speed = float(np.abs(speed).max(initial=0.0))
-        self.own_speeds, self.whirl = len(speed), 1.0
+        self.case_speeds, self.whirl = len(speed), 1.0
         self.coarse: Structure | None = None
         self.progress: Callable[[str], None] = lambda _: None
         self._nodes: dict[str | float | Place, int] = {}
@@ -124,7 +124,7 @@ class Scene(Statics):
         other = Scene(*same, finer, self.memo, self.clock, self.checks)
         # a model serves other speeds, but is as fine as the highest speed of the case requires
         other.top_speed, other.bodies = self.top_speed, self.bodies
-        other.coarse, other.own_speeds = self.coarse, self.own_speeds
+        other.coarse, other.case_speeds = self.coarse, self.case_speeds
         other.whirl = self.whirl
         return other
 
@@ -273,10 +273,10 @@ class Scene(Statics):
         return None if force is None else force[self.bearing_row[self.usable]]
 
     @cached_property
-    def pushed_away(self) -> Flags:
+    def statically_unstable(self) -> Flags:
         """Usable speeds (usable,) at which negative stiffness of supports makes the static
         equilibrium unstable."""
-        if not any(support.pushes_away for support in self.spindle.supports):
+        if not any(support.has_negative_stiffness for support in self.spindle.supports):
             return np.zeros(len(self.usable), dtype=bool)
         return ~stands(self.rotor, self.state._replace(standing=True), self.force)
 
@@ -295,7 +295,7 @@ class Scene(Statics):
         force = None if self.force is None else self.force[chosen]
         softened = self.conditions.formulation == SOFTENED
         size = sum(component.size for component in self.subsystems[k])
-        require_matrices(f"{self.name_of(k)} system", len(state.speed), size, self.own_speeds)
+        require_matrices(f"{self.name_of(k)} system", len(state.speed), size, self.case_speeds)
         solve = partial(assemble, self.rotor, self.subsystems[k], state, force, softened=softened)
         return self.timed(f"{self.name_of(k)} system", solve)
 

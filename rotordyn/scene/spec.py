@@ -70,11 +70,11 @@ class Spec(Description):
         return ()
 
 
-def held_twice(setting: Setting) -> Faults:
+def redundant_support_faults(setting: Setting) -> Faults:
     """Yield a fault where rigid supports make a rigid rotor statically indeterminate."""
-    from rotordyn.equation.holding import holds_twice
+    from rotordyn.equation.holding import has_redundant_supports
 
-    if setting.conditions.rotor == "rigid" and holds_twice(setting.spindle):
+    if setting.conditions.rotor == "rigid" and has_redundant_supports(setting.spindle):
         yield (
             (),
             "the reactions of a rigid rotor on these rigid supports are not determined: take "
@@ -104,7 +104,7 @@ def turning(at: str | float, spindle: Spindle, path: Path) -> Faults:
         yield path, f"rotor '{rotor}' stands still, and no unbalance acts there"
 
 
-def spanned(
+def span_faults(
     start: str | float, to: str | float, spindle: Spindle, path: Path, *, rotors: bool = False
 ) -> Faults:
     """Yield faults of a span: both ends must exist on one rotor, the second behind the first."""

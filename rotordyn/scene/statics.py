@@ -23,6 +23,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.axial_force import AxialForce, PointForces, axial_force
 from rotordyn.preload.friction import operating_state, with_friction
+from rotordyn.preload.passed_speeds import evenly_spaced
 from rotordyn.preload.state import PreloadState
 from rotordyn.preload.together import at_temperatures
 from rotordyn.scene.across import across, with_stations
@@ -224,14 +225,23 @@ class Statics(Staged):
         heat_flow = self.conditions.heat_flow
         assert heat_flow is not None
 
-        history_speeds = self.past.speeds if self.spindle.rubs else ()
-        speed = np.union1d(self.bearing_speed, history_speeds)
+        wanted = self.bearing_speed.tolist()
+        on_the_way: list[float] = []
+        if self.spindle.rubs:
+            top = max(*wanted, *self.past.speeds)
+            on_the_way += [*self.past.speeds, *evenly_spaced(self.grounded, top)]
+        speed = np.unique([*wanted, *on_the_way])
 
         balance = heat_balance(self.warm(speed), speed, self.grounded, heat_flow.flow)
-        texts, wanted = dict(zip(speed.tolist(), balance.outcome, strict=True)), self.bearing_speed
-        failed = next((text for at, text in texts.items() if text and at not in wanted), "")
-        earlier = failed and f"on the way there, {failed}"
-        return balance._replace(outcome=tuple(texts[at] or earlier for at in wanted.tolist()))
+        texts = dict(zip(speed.tolist(), balance.outcome, strict=True))
+
+        def outcome(goal: float) -> str:
+            highest = max(goal, *self.past.speeds)
+            passed = (texts[at] for at in on_the_way if at <= highest)
+            failed = next((text for text in passed if text), "")
+            return texts[goal] or (failed and f"on the way there, {failed}")
+
+        return balance._replace(outcome=tuple(map(outcome, wanted)))
 
     def warm(self, speed: Array) -> Callable[[Temperatures], PreloadState]:
         """Return the preload state without loads across the axis at ``speed`` [rad/s] as a function

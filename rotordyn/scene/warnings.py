@@ -21,18 +21,19 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.station import SLACK
 from rotordyn.preload.growth import released_fits
 from rotordyn.preload.ring_stress import YIELD, ring_stress
-from rotordyn.preload.unshortened import shortening_load
-from rotordyn.results.balls import gripping, no_film, preloaded, pressed, slipping
+from rotordyn.results.balls import friction_warning, no_film, preloaded, pressed, slipping
 from rotordyn.results.display import RPM, number
 from rotordyn.results.text import which_of
+from rotordyn.scene.expansions import expansion_warnings
+from rotordyn.scene.missing_shifts import missing_shifts
 from rotordyn.scene.stability import instability
 
 if TYPE_CHECKING:
     from rotordyn.scene.scene import Scene
 
 PRESSED = 1e-3  # N: a stop that friction holds a sleeve at carries less by rounding
-FILMS_RULE = SHORTENING_RULE = 0.1  # of the axial load of a bearing
-UNFELT = 10.0  # N, of a bearing along its axis
+FILMS_RULE = 0.1  # of the axial load of a bearing
+HEAT_RULE, WEAK = 0.1, 10.0  # of the heat of a bearing, and what counts as little of it [W]
 GUIDE_RULE = 0.1  # of the stiffness of a ball guide
 
 
@@ -48,6 +49,7 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
             f"the ring grows without the {on}; raise its interference"
         )
     yield from _yielding_rings(scene)
+    yield from expansion_warnings(scene.spindle, scene.conditions)
     if scene.conditions.heat_flow is not None:
         yield from scene.conditions.heat_flow.guesses()
     if scene.conditions.history and not scene.spindle.rubs:
@@ -58,7 +60,8 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
     if "preload" in scene.solved:
         yield from bearing_warnings(scene)
         yield from _films_rule(scene)
-        yield from _missing_shortening(scene)
+        yield from _heat_across(scene)
+        yield from missing_shifts(scene)
         yield from _guides(scene)
     for support in scene.spindle.supports:
         yield from support.held_at(scene.speed)
@@ -80,9 +83,11 @@ def _when(held: float, loose: float) -> str:
 
 def _statically_unstable(scene: Scene) -> Iterator[str]:
     """Warn where the negative stiffness of supports exceeds the stiffness that holds the shaft."""
-    speed = scene.speed[scene.usable][scene.pushed_away]
+    speed = scene.speed[scene.usable][scene.statically_unstable]
     if speed.size:
-        names = ", ".join(support.name for support in scene.spindle.supports if support.pushes_away)
+        names = ", ".join(
+            support.name for support in scene.spindle.supports if support.has_negative_stiffness
+        )
         yield (
             f"the negative stiffness of support {names} is stronger than what holds the shaft at "
             f"{speed.size} of {len(scene.usable)} speeds, first at "
@@ -196,6 +201,29 @@ def _yielding_rings(scene: Scene) -> Iterator[str]:
             )
 
 
+def _heat_across(scene: Scene) -> Iterator[str]:
+    """Warn of the bearing whose heat loads across the axis change most, where this is more than a
+    tenth: temperatures do not follow it."""
+    if not scene.loaded or scene.temperatures is scene.conditions.temperatures:
+        return
+    heat_flow = scene.conditions.heat_flow
+    assert heat_flow is not None
+    from rotordyn.preload.heat_balance import spindle_heat  # heat of balls, for these alone
+
+    without, under = (spindle_heat(s, heat_flow.flow) for s in (scene.unloaded, scene.preload))
+    change = np.where(scene.preload.usable[:, None], np.abs(under - without), 0.0)
+    share = change / np.fmax(without, WEAK)
+    row, k = (int(place) for place in np.unravel_index(int(share.argmax()), share.shape))
+    if share[row, k] > HEAT_RULE:
+        yield (
+            f"bearing {scene.spindle.seats[k].name}: loads across the axis change its heat from "
+            f"{without[row, k]:.0f} to {under[row, k]:.0f} W at "
+            f"{scene.preload.speed[row] * RPM.factor:.0f} rpm; its temperatures by heat_flow, and "
+            f"the preload at them, are those of the {without[row, k]:.0f} W: give temperatures "
+            "under these loads instead"
+        )
+
+
 def _films_rule(scene: Scene) -> Iterator[str]:
     """Warn of bearings whose axial load oil films change by more than a tenth."""
     state = scene.unloaded if scene.conditions.films is not None else None
@@ -218,22 +246,6 @@ def _films_rule(scene: Scene) -> Iterator[str]:
                 f"{film_load[row]:.0f} N at {state.speed[row] * RPM.factor:.0f} rpm; they are "
                 "fully flooded ones, and starved ones do less"
             )
-
-
-def _missing_shortening(scene: Scene) -> Iterator[str]:
-    """Warn where a missing centrifugal shortening would change axial loads by more than a tenth."""
-    state, rows = scene.preload, np.flatnonzero(scene.preload.usable)
-    if scene.spindle.shortening is not None or not rows.size or not scene.spindle.seats:
-        return
-    added, load = shortening_load(state, rows[-1]), state.seat_load()[rows[-1]]
-    worst = int(np.abs(added).argmax())
-    if abs(added[worst]) > max(SHORTENING_RULE * np.abs(load).max(), UNFELT):
-        yield (
-            "no centrifugal shortening of the shaft is given; computed from its sections it adds "
-            f"about {added[worst]:.0f} N to the {load[worst]:.0f} N of axial load of bearing "
-            f"{scene.spindle.seats[worst].name} at {state.speed[rows[-1]] * RPM.factor:.0f} rpm: "
-            "give shortening with shift: computed"
-        )
 
 
 def _guides(scene: Scene) -> Iterator[str]:
@@ -288,7 +300,7 @@ def bearing_warnings(scene: Scene) -> Iterator[str]:
         sentences = (
             pressed(name, speed, peak) or preloaded(name, speed, peak),
             slipping(name, speed, slips),
-            gripping(name, speed, required_friction) if no_slip else "",
+            friction_warning(name, speed, required_friction) if no_slip else "",
         )
         yield from (sentence for sentence in sentences if sentence)
         if state.lateral is not None or state.force:

@@ -35,7 +35,7 @@ from rotordyn.state.settle import settle
 SHORTEST = 1e-9  # of a step: a change within it is a snap
 EXACT = 1e-12  # of a step: tolerance of the share of an event
 SMOOTH = 1e-3  # of the travel of a part: largest distance of its middle from the cubic of its ends
-STILL = 1e-11  # m, the same in addition
+STILL = 1e-11  # m, which is added to that distance
 AFTER = 1e-10  # in the measure of a condition: below −AFTER it is violated
 SNAPPED = 1e-9  # m, least travel of a snap
 PARTS = 4000  # of a step

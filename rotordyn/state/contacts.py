@@ -165,10 +165,10 @@ def hold(step: Step, state: State, share: float, near: Array | None = None) -> S
 def advance(
     step: Step, load: Load, fixed: Array, x: Array, dx: Array, at: Forces
 ) -> tuple[Array, Forces]:
-    """Move along ``dx`` until the force along it has fallen by at least half.
+    """Move along ``dx``, not so far that the force along it reverses to more than half its size.
 
-    ``fixed``: forces of the contacts. The force falls along ``dx``, as the energy is convex; where
-    it changes its sign the step is shortened.
+    ``fixed``: forces of the contacts. The force falls along ``dx``, as the energy is convex;
+    where it reverses to more, the step is shortened.
     """
     dx = dx * min(1.0, LONGEST / max(float(np.abs(dx).max(initial=0.0)), TINY))
     before = float((at.force + fixed) @ dx)

@@ -75,19 +75,19 @@ class RestBall:
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """Cubic pieces between ``knots`` [m], each (d³, d², d, 1) from its left knot.
+    """Cubic pieces between ``breakpoints`` [m], each (d³, d², d, 1) from its left breakpoint.
 
-    Beyond the last knot the last slope continues; before the first one the first slope, down to
-    zero load, or further where the load at that knot is negative.
+    Beyond the last breakpoint the last slope continues; before the first one the first slope, down
+    to zero load, or further where the load at that breakpoint is negative.
     """
 
-    knots: Sequence[float]
+    breakpoints: Sequence[float]
     pieces: Sequence[tuple[float, float, float, float]]
     kinks: tuple[float, ...]
 
     def __call__(self, d: float) -> tuple[float, float]:
         """F [N] and its slope [N/m]."""
-        first, last = self.knots[0], self.knots[-1]
+        first, last = self.breakpoints[0], self.breakpoints[-1]
         if d < first:
             _, _, slope, start = self.pieces[0]
             force = start + slope * (d - first)
@@ -95,11 +95,11 @@ class Table:
         if d >= last:
             force, slope = self._piece(len(self.pieces) - 1, last)
             return force + slope * (d - last), slope
-        return self._piece(bisect_right(self.knots, d) - 1, d)
+        return self._piece(bisect_right(self.breakpoints, d) - 1, d)
 
     def _piece(self, k: int, d: float) -> tuple[float, float]:
         a, b, c, e = self.pieces[k]
-        h = d - self.knots[k]
+        h = d - self.breakpoints[k]
         return ((a * h + b) * h + c) * h + e, (3.0 * a * h + 2.0 * b) * h + c
 
 

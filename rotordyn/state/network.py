@@ -75,7 +75,8 @@ class Stops:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Frictions:
-    """Coulomb friction: force on the first body within ±``limit`` [N]; ``start``: that at rest."""
+    """Coulomb friction: force on the first body within ±``limit`` (frictions,) [N]; ``start``:
+    that at rest."""
 
     row: Array
     limit: Array

@@ -144,7 +144,7 @@ def _table(entry: Plain, at: str) -> AxialLaw:
         _refuse(
             f"{at}, F",
             f"falls beyond {places[fall]:.4g} m; allowed: loads that do not fall, between points "
-            "either (a cubic swings beside sudden changes: give more points, or linear)",
+            "either (a cubic overshoots beside sudden changes: give more points, or linear)",
         )
     return law
 

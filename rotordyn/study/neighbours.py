@@ -25,7 +25,7 @@ import numpy as np
 
 from bearings.geometry import geometry
 from bearings.ring.compiled.states import expect
-from rotordyn.analyses.solving import Answers
+from rotordyn.analyses.solving import MachineResults
 from rotordyn.case.case import Case
 from rotordyn.job.solving import solve
 from rotordyn.numerics.threads import linear_algebra_alone
@@ -72,8 +72,8 @@ class Neighbours:
 
     def solve(
         self, case: Case, *, checked: bool = False, further: int = 0
-    ) -> tuple[Answers, float | None]:
-        """Solve a case; return its answers and their largest error over the allowed one, None if
+    ) -> tuple[MachineResults, float | None]:
+        """Solve a case; return its results and their largest error over the allowed one, None if
         not checked. ``checked``: check it whatever the previous ones showed; ``further``: number of
         machines still to come.
 
@@ -86,7 +86,7 @@ class Neighbours:
         self.fineness = fineness
         first, begin = self.empty, time.perf_counter()
         try:
-            answers = solve(case, memo=self.memo, checks=checks)
+            results = solve(case, memo=self.memo, checks=checks)
         finally:
             self.memo.forget(LATEST)
         if not first:
@@ -94,12 +94,12 @@ class Neighbours:
             self._expect(case, further)
         if not checks.wanted:
             self.unchecked -= 1
-            return answers, None
+            return results, None
         self.unchecked = 0
         if checks.first <= SMALL and case.conditions.accuracy >= TIGHT:
             most = PER_CHECK * SMALL / checks.first if checks.first else math.inf
             self.unchecked = int(min(MOST, most)) - 1
-        return answers, checks.worst
+        return results, checks.worst
 
     def _expect(self, case: Case, further: int) -> None:
         seats = case.spindle.seats if case.spindle else ()

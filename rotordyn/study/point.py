@@ -102,17 +102,17 @@ def _solved(
 
 
 def _outcome(study: Study, number: int, case: Case, neighbours: Neighbours, points: int) -> Outcome:
-    answers, error = neighbours.solve(case, checked=bool(study.results), further=points)
+    machine, error = neighbours.solve(case, checked=bool(study.results), further=points)
     return Outcome(
         number,
         numbers={
             f"{name}: {each.words}": (float(each.value), each.unit)
-            for name, each in headline_numbers(case, answers.results)
+            for name, each in headline_numbers(case, machine.results)
         },
-        sentence="; ".join(unsolved(answers.results)),
-        warnings=(*answers.warnings, *result_warnings(answers.results)),
+        sentence="; ".join(unsolved(machine.results)),
+        warnings=(*machine.warnings, *result_warnings(machine.results)),
         error=error,
-        results={name: answers.results[name] for name in study.results},
+        results={name: machine.results[name] for name in study.results},
     )
 
 

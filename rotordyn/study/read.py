@@ -71,7 +71,7 @@ def read_optimum(path: str | Path) -> tuple[Problem, dict[str, Any]]:
                 wishes[key].append(kind(**given))
             except InvalidInput as refusal:
                 raise read.refused((key, k), str(refusal)) from None
-    try:  # a sentence on a goal or limit quotes its number, by which its line is entries
+    try:  # a sentence on a goal or limit quotes its number, by which its line is found
         problem = problem_of(read.case, read.varied, wishes["goals"], wishes["limits"])
         as_it_stands(problem)
     except InvalidInput as refusal:

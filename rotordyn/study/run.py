@@ -46,9 +46,9 @@ def run(
     try:
         if solution.stop is not None:
             raise solution.stop
-        for name, (part, answers) in solution.parts.items():
+        for name, (part, machine) in solution.parts.items():
             with heeding_stops():
-                intervals[name] = interval_of(part, answers.results, progress)
+                intervals[name] = interval_of(part, machine.results, progress)
     except STOPS as stop:
         if not keeps_finished():
             raise

@@ -90,7 +90,7 @@ def test_films_of_a_fast_bearing_count_by_the_loads_on_their_own_race() -> None:
     assert (outer - inner).max() > 0.1
     mean = np.zeros(2)
     loads = state.inner_load, state.outer_load
-    for each, moved in zip(loads, on_films.moved_races(state, films), strict=True):
+    for each, moved in zip(loads, on_films.race_separation(state, films), strict=True):
         mean += np.average(moved, axis=0, weights=each)
     assert np.array(grown(state, films)) == pytest.approx(mean, rel=1e-12)
 

@@ -161,7 +161,7 @@ def test_whirls_are_paired_where_the_first_speed_has_no_solution() -> None:
     flexible = whole.variants["flexible"]
     idle = flexible.vary({"spindle.sleeves.front.spring.preload": 0.0})
     whole = replace(whole, variants={"a": idle})
-    result = solve_variants(whole).answers["a"].results["campbell"]
+    result = solve_variants(whole).machines["a"].results["campbell"]
     assert np.isnan(result.frequency[0]).all()
     rows = comparison_summary(whole, [(whole.variants["a"], {"campbell": result})]).splitlines()
     top = dict(zip(result.mode, result.frequency[-1], strict=True))
@@ -176,7 +176,7 @@ def test_whirls_of_twins_are_paired_as_they_turn_at_speed() -> None:
     on_body = replace(whole.variants["body"], speeds=(0.0, 24000 * RPM), analyses=asked)
     result = rotordyn.run(on_body)["campbell"]
     alone = replace(whole, variants={"body": on_body}, speeds=on_body.speeds, analyses=asked)
-    solved = solve_variants(alone).answers["body"].results["campbell"]
+    solved = solve_variants(alone).machines["body"].results["campbell"]
     rows = comparison_summary(alone, [(on_body, {"campbell": solved})]).splitlines()
     pairs_at = [np.sort(f[np.isfinite(f)])[:4] for f in result.frequency.values]
     first, second, third, fourth = pairs_at[1]
@@ -194,7 +194,7 @@ def test_frac_of_measured_responses_is_reported_of_every_variant() -> None:
         name: replace(each, speeds=(0.0,), analyses=asked) for name, each in whole.variants.items()
     }
     alone = replace(whole, variants=own, speeds=(0.0,), analyses=asked)
-    found = solve_variants(alone).answers
+    found = solve_variants(alone).machines
     rows = comparison_summary(alone, [(own[v], found[v].results) for v in own]).splitlines()
     head = next(k for k, row in enumerate(rows) if "made-up tap test at 0 rpm" in row)
     told = [float(row.split()[-1]) for row in rows[head + 1 : head + 3]]

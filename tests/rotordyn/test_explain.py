@@ -36,7 +36,7 @@ def few_speeds(name: str) -> Any:
     ],
 )
 def test_what_variants_share_is_solved_once(name: str, spared: list[set[str]]) -> None:
-    solved = [set(own.seconds) for own in solve_variants(few_speeds(name)).answers.values()]
+    solved = [set(own.seconds) for own in solve_variants(few_speeds(name)).machines.values()]
     for own, missing in zip(solved, spared, strict=True):
         assert solved[0] - own == missing
 
@@ -45,7 +45,7 @@ def test_what_variants_share_is_solved_once(name: str, spared: list[set[str]]) -
 @pytest.mark.parametrize("name", ["mfw2310_preload_springs", "mfw2310_decomposition"])
 def test_a_variant_in_company_is_the_variant_alone(name: str) -> None:
     case = few_speeds(name)
-    together = solve_variants(case).answers
+    together = solve_variants(case).machines
     for variant, one in case.variants.items():
         for analysis, result in solve(one).results.items():
             shared = together[variant].results[analysis]
@@ -59,7 +59,7 @@ def test_sleeves_of_a_variant_move_along_the_axis_on_its_own_springs() -> None:
     """Shafts are shared; axial modes were those of the springs of the first variant."""
     case = few_speeds("mfw2310_preload_springs")
     case = rotordyn.vary(case, {"analyses": {"campbell": CampbellSpec(max_frequency=4000.0)}})
-    together = solve_variants(case).answers
+    together = solve_variants(case).machines
     frequencies = []
     for variant, one in case.variants.items():
         alone, beside = solve(one).results["campbell"], together[variant].results["campbell"]
@@ -77,7 +77,7 @@ def test_another_shaft_shares_no_rotor() -> None:
     name = list(case.variants)[1]
     path = f"variants.{name}.spindle.shaft.sections.hsk_flange.outer_diameter"
     other = rotordyn.vary(case, {path: "64 mm"})
-    kept = solve_variants(other).answers[name].results["campbell"]
+    kept = solve_variants(other).machines[name].results["campbell"]
     alone = solve(other.variants[name]).results["campbell"]
     same = solve(case.variants[name]).results["campbell"]
     assert np.array_equal(kept.frequency, alone.frequency)
@@ -92,7 +92,7 @@ def test_the_plan_names_stages_what_was_spared_and_what_did_not_run(
     lines = capsys.readouterr().out.splitlines()
     stages = lines[: lines.index("spared")]
     place = {line.split()[0]: len(line) - len(line.lstrip()) for line in stages[1:]}
-    assert place["bending"] > place["answer"] >= place["preload"]
+    assert place["bending"] > place["solve"] >= place["preload"]
     assert all(line.endswith("ms") for line in stages[1:])
     text = " ".join(" ".join(lines).split())
     assert "bearings a, b are alike and share their load: one of them is solved" in text
@@ -107,8 +107,8 @@ def test_a_stage_run_at_other_speeds_alone_is_not_called_skipped() -> None:
     spec = StabilityLobesSpec(**asked, method="zero-order", speeds=(2000.0,))
     case = rotordyn.vary(few_speeds("mfw2310_preload_springs"), {"analyses": {LOBES: spec}})
     two = list(case.variants)[:2]
-    answers = solve_variants(replace(case, variants={n: case.variants[n] for n in two})).answers
-    first, second = answers.values()
+    machines = solve_variants(replace(case, variants={n: case.variants[n] for n in two})).machines
+    first, second = machines.values()
     assert {"mesh", "rotor", "subsystems", "tangents"} <= set(first.seconds)
     assert "rotor" not in second.seconds
     for each in (first, second):

@@ -16,8 +16,9 @@ import pytest
 from bearings import AngularContactBallBearing
 from bearings.ball.law import Law
 from rotordyn.allowance import within
-from rotordyn.analyses import AxialCycleSpec, PreloadSpec, StiffnessSpec
+from rotordyn.analyses import AxialCycleSpec, LifeSpec, LoadStep, PreloadSpec, StiffnessSpec
 from rotordyn.analyses.axial_cycle.solve import solve as axial_cycle
+from rotordyn.analyses.life.solve import solve as life_answer
 from rotordyn.analyses.preload.solve import solve as preload_answer
 from rotordyn.analyses.preload.summary import summary
 from rotordyn.analyses.stiffness.solve import solve as stiffness_answer
@@ -30,12 +31,14 @@ from rotordyn.preload.arrangement import arrangement
 from rotordyn.preload.axial_tables import _Request, axial_tables, solved
 from rotordyn.preload.friction import Rubbing, operating_state
 from rotordyn.preload.history import Moment, history, moments, most_moments
+from rotordyn.preload.passed_speeds import SPACING, passed_speeds
 from rotordyn.preload.state import PreloadState
 from rotordyn.preload.together import dynamic_preload
+from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.scene import Scene
 from tests.oracles.known_grooves import deep_groove, drawn_6210
-from tests.oracles.spindles import RPM, mfw2310, scene, system_of, with_sleeve
+from tests.oracles.spindles import RPM, case, mfw2310, scene, system_of, with_sleeve
 
 LAW = Law("outer", "equal")
 FRICTION = 80.9  # N, Noël 2013, Tab. 3.7
@@ -253,7 +256,7 @@ def test_friction_that_takes_over_from_a_stop_is_no_stop_speed() -> None:
 
 
 def test_by_default_temperatures_come_first_and_forces_last() -> None:
-    before, through, after = moments(Past(weight=50.0), [0.0, 10.0], 250.0)
+    before, _, through, after = moments(Past(weight=50.0), [0.0, 10.0], 250.0)
     assert before == [Moment(0.0, False, 50.0), Moment(0.0, True, 50.0)]
     assert through == [Moment(0.0, True, 50.0), Moment(10.0, True, 50.0)]
     assert [path[1:] for path in after] == [[Moment(s, True, 250.0)] for s in (0.0, 10.0)]
@@ -266,20 +269,108 @@ def test_a_history_in_its_order() -> None:
         HistoryStep(run_up=True),
         HistoryStep(axial_force=0.0),
     )
-    before, through, after = moments(Past(steps), [10.0, 20.0, 30.0], 5.0)
-    assert [at.speed for at in before] == [10.0, 20.0, 25.0, 25.0]
+    before, _, through, after = moments(Past(steps), [10.0, 20.0, 30.0], 5.0)
+    assert [at.speed for at in before] == [25.0, 25.0]
     assert before[-1] == Moment(25.0, False, -100.0)
     assert [at.force for at in through] == [-100.0] * 3
     assert [at.force for at in after[1]] == [-100.0, 0.0, 0.0, 5.0]
     assert [at.warm for at in after[1]] == [False, False, True, True]
 
 
-def test_a_history_leads_through_speeds_of_the_case_both_ways() -> None:
-    ways = [HistoryStep(speed=speed) for speed in (25.0, 15.0, 5.0)]
-    steps, speeds = (*ways, HistoryStep(run_up=True)), [10.0, 20.0, 30.0]
-    before, through, after = moments(Past(steps), speeds, 0.0)
-    assert [at.speed for at in before] == [10.0, 20.0, 25.0, 20.0, 15.0, 10.0, 5.0]
-    assert most_moments(Past(steps), speeds) == len(before) + len(through) + 2 * len(after)
+def test_ways_lead_through_speeds_of_their_own_up_and_down() -> None:
+    """Whatever the speeds of the case, to each of which a branch leads."""
+    ways = [HistoryStep(speed=speed) for speed in (25.0, 15.0)]
+    steps, speeds, between = (*ways, HistoryStep(run_up=True)), [4.0, 20.0, 31.0], [5.0, 10.0, 20.0]
+    before, passed, through, after = moments(Past(steps), speeds, 0.0, [*between, 30.0])
+    assert [at.speed for at in before] == [5.0, 10.0, 20.0, 25.0, 20.0, 15.0]
+    assert [[at.speed for at in way] for way in passed] == [[10.0, 5.0], [], [20.0, 30.0]]
+    assert [at.speed for at in through] == speeds
+    count = len(before) + sum(map(len, passed)) + len(through) + 2 * len(after)
+    assert count <= most_moments(Past(steps), len(speeds), [*between, 30.0]) <= count + 1
+
+
+def grinding(limit: float) -> Spindle:
+    return with_sleeve(case("grinding_spindle").spindle, "rear", friction=limit)
+
+
+TOP = 12000.0 * RPM
+STRAIGHT = Temperatures(shaft=(20.0, 45.0), housing=(20.0, 30.0), speeds=(0.0, TOP))
+PEAK = Temperatures(
+    shaft=(20.0, 50.0, 35.0), housing=(20.0, 30.0, 30.0), speeds=(0.0, 0.5 * TOP, TOP)
+)
+
+
+@pytest.mark.parametrize(
+    ("limit", "expected"),
+    [(60.0, (575.7, 733.5)), (200.0, (623.4, 806.2)), (400.0, (693.0, 912.2))],
+)
+def test_a_run_up_turns_where_temperatures_and_growth_do(
+    limit: float, expected: tuple[float, float]
+) -> None:
+    """Growth goes with Ω², heat with Ω: the sleeve slides one way at first, then the other. Against
+    loads of a and b by 17 steps of speed, each balanced by itself."""
+    law = case("grinding_spindle").conditions.law
+    state = operating_state(grinding(limit), np.array([TOP]), law, 0.0, STRAIGHT)
+    assert state.friction_force[0, 0] == pytest.approx(limit)
+    assert state.seat_load()[0, :2] == pytest.approx(expected, rel=2e-4)
+
+
+@pytest.mark.parametrize(("warm", "limit"), [(STRAIGHT, 200.0), (PEAK, 60.0)])
+def test_a_state_with_friction_does_not_hang_on_the_other_speeds_listed(
+    warm: Temperatures, limit: float
+) -> None:
+    """Whether the sleeve sticks there or slides."""
+    law, found = case("grinding_spindle").conditions.law, []
+    for speeds in ([0.75 * TOP], [0.1 * TOP, 0.4 * TOP, 0.75 * TOP, TOP]):
+        state = operating_state(grinding(limit), np.array(speeds), law, 0.0, warm)
+        row = speeds.index(0.75 * TOP)
+        found.append([*state.friction_force[row], *state.seat_load()[row]])
+    assert found[0] == pytest.approx(found[1], rel=1e-9)
+
+
+@pytest.mark.parametrize(("shaft", "housing"), [(25.0, 45.0), (45.0, 30.0), (30.0, 45.0)])
+def test_a_sleeve_sticks_through_a_change_of_temperature_that_friction_bears(
+    shaft: float, housing: float
+) -> None:
+    """Its friction is then that of a sleeve that cannot slide. A limit a little above the largest
+    on the way, as at four temperatures on it, changes nothing."""
+    law = case("grinding_spindle").conditions.law
+
+    def friction(limit: float, share: float = 1.0) -> float:
+        warm = Temperatures(*(20.0 + share * (at - 20.0) for at in (shaft, housing)))
+        state = operating_state(grinding(limit), REST, law, 0.0, warm)
+        return float(state.friction_force[0, 0])
+
+    stuck = [friction(5000.0, share) for share in (0.25, 0.5, 0.75, 1.0)]
+    limit = 1.1 * max(map(abs, stuck)) + 5.0
+    assert friction(limit) == pytest.approx(stuck[-1], abs=1e-3)
+
+
+def test_changes_of_temperature_have_parts() -> None:
+    steps = HistoryStep(warm=True), HistoryStep(run_up=True), HistoryStep(warm=False)
+    before, _, _, after = moments(Past(steps), [10.0], 0.0, (), 4)
+    assert [at.warm for at in before] == [0.25, 0.5, 0.75, 1.0]
+    assert [at.warm for at in after[0]] == [1.0, 0.75, 0.5, 0.25, 0.0, 0.25, 0.5, 0.75, 1.0]
+    assert len(before) + 1 + len(after[0]) <= most_moments(Past(steps), 1, (), 4)
+
+
+def test_a_step_of_a_spectrum_has_the_life_of_its_speed() -> None:
+    machine, conditions = grinding(400.0), Conditions(temperatures=STRAIGHT)
+    speed = np.array([0.25, 0.5, 0.75, 1.0]) * TOP
+    found = life_answer(
+        Scene(machine, conditions, speed), LifeSpec(spectrum=(LoadStep(share=1.0, speed=TOP),))
+    )
+    assert found.spectrum_life == pytest.approx(found.life[-1], rel=1e-9)
+
+
+def test_ways_at_constant_temperatures_are_straight() -> None:
+    """All goes with Ω² then: no more tables of bearings are needed."""
+    assert not passed_speeds(grinding(60.0), TOP, None).size
+    assert not passed_speeds(grinding(60.0), TOP, Temperatures(shaft=40.0)).size
+    passed = passed_speeds(grinding(60.0), TOP, PEAK)
+    assert 0.5 * TOP in passed
+    largest = max(seat.bearing.pitch_diameter for seat in grinding(60.0).seats)
+    assert np.diff(passed, prepend=0.0).max() * largest == pytest.approx(SPACING)
 
 
 def test_bearings_that_do_not_stay_alike_are_followed_apart() -> None:
@@ -392,8 +483,8 @@ def test_no_points_of_a_table_nearly_coincide(growth: float) -> None:
     """Rounding of the loads of such a pair would make its slope between."""
     model = AngularContactBallBearing(8e-3, 60e-3, 16, contact_angle=math.radians(18))
     law = solved([_Request(model, LAW, (growth, growth), 0.0, 50e-6)])[0].law
-    slope = np.array([law(d)[1] for d in law.knots])
-    between = np.array([law((a + b) / 2.0)[1] for a, b in pairwise(law.knots)])
+    slope = np.array([law(d)[1] for d in law.breakpoints])
+    between = np.array([law((a + b) / 2.0)[1] for a, b in pairwise(law.breakpoints)])
     assert between == pytest.approx((slope[1:] + slope[:-1]) / 2.0, abs=0.02 * slope.max())
 
 
@@ -408,7 +499,7 @@ def test_tables_solved_together_are_those_of_each(monkeypatch: pytest.MonkeyPatc
     axial_tables_module._kept.clear()
     for one, found in zip(asked, together, strict=True):
         (alone,) = solved([one])
-        assert found.law.knots == pytest.approx(alone.law.knots, rel=1e-12)
+        assert found.law.breakpoints == pytest.approx(alone.law.breakpoints, rel=1e-12)
         for d in (0.3 * one.high, 0.9 * one.high):
             assert found.law(d) == pytest.approx(alone.law(d), rel=1e-9)
 

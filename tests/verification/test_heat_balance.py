@@ -23,6 +23,7 @@ from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.heat_balance import Flow, heat_balance
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.heat_flow import SpindleHeatFlow
+from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.scene import Scene
 from tests.oracles.case_files import answered
 from tests.oracles.spindles import RPM, case
@@ -260,9 +261,12 @@ def rubbing() -> Spindle:
 
 @pytest.mark.few(1)
 @pytest.mark.parametrize("history", [(), (HistoryStep(warm=True), HistoryStep(speed=9e3 * RPM))])
-def test_the_way_to_a_speed_has_the_temperatures_of_its_speeds(history: Any) -> None:
+def test_the_way_to_a_speed_has_the_temperatures_of_its_speeds(
+    history: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Where friction remembers it, rest and speeds before are balanced whether a case names them or
     not."""
+    monkeypatch.setattr("rotordyn.preload.passed_speeds.SPACING", 20.0)  # quicker
     found = []
     for speeds in ([6e3, 12e3], [0.0, 6e3, 9e3, 12e3]):
         steps = (*history, HistoryStep(run_up=True)) if history else ()
@@ -276,8 +280,61 @@ def test_the_way_to_a_speed_has_the_temperatures_of_its_speeds(history: Any) -> 
     assert found[0][1] == pytest.approx(found[1][1], rel=1e-6)
 
 
+def test_the_way_to_a_speed_is_warmed_by_the_heat_on_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Between rest and that speed, whether a case names another one there or not."""
+    monkeypatch.setattr("rotordyn.preload.passed_speeds.SPACING", 10.0)  # quicker
+    found = []
+    flow, machine = replace(FLOW, shaft=35.0), grinding()
+    sleeves = tuple(replace(each, friction=200.0) for each in machine.sleeves)
+    for speeds in ([4e3], [2e3, 4e3]):
+        state = Scene(
+            replace(machine, sleeves=sleeves), Conditions(heat_flow=flow), np.array(speeds) * RPM
+        ).preload
+        assert np.abs(state.friction_force[-1]) < 190.0
+        found.append([*state.friction_force[-1], *state.seat_load()[-1]])
+    assert found[0] == pytest.approx(found[1], abs=0.5)
+
+
 def test_a_way_beyond_the_table_of_temperatures_is_refused() -> None:
     machine, table = rubbing(), Temperatures(shaft=(30.0, 50.0), speeds=(4e3 * RPM, 12e3 * RPM))
     given = {"preload": PreloadSpec()}
     with pytest.raises(InvalidInput, match="reach 0 rpm, which the history of its friction passes"):
         Case("case", "", (5e3 * RPM,), given, Conditions(temperatures=table), machine)
+
+
+@pytest.mark.parametrize("force", [200.0, 5000.0])
+def test_heat_by_loads_across_the_axis_that_temperatures_do_not_follow_is_named(
+    force: float,
+) -> None:
+    """Heat of `life` against what leaves through the conductances at the temperatures beside it."""
+    loads = (PointLoad("nose", Fy=force),)
+    here = Scene(grinding(rigid=True), Conditions(heat_flow=FLOW, loads=loads), SPEED[1:])
+    result = lives(here)
+    leaving = (
+        3.0 * (result.inner_temperature - 30.0)
+        + 6.0 * (result.outer_temperature - 25.0)
+        + 1.0 * (result.ball_temperature - 30.0)
+    )
+    share = np.abs(result.heat / leaving - 1.0)
+    said = [words for words in here.warnings if "loads across the axis change its heat" in words]
+    assert len(said) == (share.max() > 0.1) == (force > 1000.0)
+    for words in said:
+        row, k = np.unravel_index(share.argmax(), share.shape)
+        first, last = leaving[row, k], result.heat[row, k]
+        assert words.startswith(f"bearing {result.bearing[k]}: ")
+        assert f"from {first:.0f} to {last:.0f} W at {SPEED[1 + row] / RPM:.0f} rpm" in words
+
+
+def test_heat_without_loads_across_the_axis_is_what_leaves() -> None:
+    assert not [words for words in scene(rigid=True).warnings if "change its heat" in words]
+    given = Conditions(temperatures=Temperatures(shaft=30.0), loads=(PointLoad("nose", Fy=5e3),))
+    here = Scene(grinding(rigid=True), given, SPEED[1:])
+    assert here.preload.usable.any()
+    assert not [words for words in here.warnings if "change its heat" in words]
+
+
+def test_temperatures_that_do_not_settle_say_what_helps(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("rotordyn.preload.heat_balance.MOST", 1)
+    here = Scene(grinding(), Conditions(heat_flow=FLOW), SPEED[2:])
+    (outcome,) = here.heat_balance.outcome
+    assert outcome.startswith("bearings at 12000 rpm: temperatures do not settle: cool more, lower")

@@ -151,7 +151,7 @@ def test_motion_and_walls_against_a_simulation_over_time(cut, edges, rubbing):
     assert found.torque == pytest.approx(0.5 * DIAMETER * torque, rel=2e-3)
     near = 3e-3 * np.ptp(path, axis=0).max()
     assert found.deflection == pytest.approx(path[1:].mean(axis=0), abs=near)
-    assert found.swing == pytest.approx(np.ptp(path, axis=0), abs=near)
+    assert found.peak_to_peak == pytest.approx(np.ptp(path, axis=0), abs=near)
     every = np.linspace(0.0, 2.0 * math.pi, steps + 1)
     pitches = cut.pitches or (2.0 * math.pi / cut.teeth,) * cut.teeth
     behind = -np.concatenate([[0.0], np.cumsum(pitches[1:])])
@@ -250,11 +250,13 @@ def test_run_out_alike_is_none_and_moves_the_wall():
     asked = (tip, DEPTH, FEED, 3, KT, KR, 0.0, 2.0, SPEED, DIAMETER)
     plain, out = milled(*asked), milled(*asked, runout=(4e-6, 4e-6, 4e-6))
     assert out.force == pytest.approx(plain.force, rel=1e-12)
-    assert out.swing == pytest.approx(plain.swing, rel=1e-12)
+    assert out.peak_to_peak == pytest.approx(plain.peak_to_peak, rel=1e-12)
     assert out.most == pytest.approx(plain.most - 4e-6, rel=1e-9)
     half = milled(*asked[:3], 4, *asked[4:], runout=(0.0, 5e-6, 0.0, 5e-6))
     whole = milled(*asked[:3], 4, *asked[4:], runout=(0.0, 5e-6, 0.0, 5e-6 + 1e-11))
-    assert half.swing == pytest.approx(whole.swing, rel=1e-4)  # a pattern of two and of four
+    assert half.peak_to_peak == pytest.approx(
+        whole.peak_to_peak, rel=1e-4
+    )  # a pattern of two and of four
 
 
 def test_a_rigid_tip_feels_the_forces_of_unlike_teeth():
@@ -262,7 +264,7 @@ def test_a_rigid_tip_feels_the_forces_of_unlike_teeth():
     asked = (DEPTH, FEED, 3, KT, KR, 0.0, 2.0, SPEED, DIAMETER)
     found = milled(lambda omega: 0.0 * tip(omega), *asked, runout=OUT)
     stiff = milled(lambda omega: 1e-9 * tip(omega), *asked, runout=OUT)
-    assert (found.swing == 0.0).all()
+    assert (found.peak_to_peak == 0.0).all()
     assert found.error == found.departure == 0.0
     assert found.force == pytest.approx(stiff.force, rel=1e-6)
     assert found.most == pytest.approx([-2e-5])
@@ -285,7 +287,7 @@ def test_an_idle_tooth_is_as_none():
     three = milled(tip, DEPTH, feed, 3, KT, KR, runout=(0.0, 0.0, -1e-3), **asked)
     two = milled(tip, DEPTH, 1.5 * feed, 2, KT, KR, pitch=(pitches[1], pitches[0]), **asked)
     assert three.force == pytest.approx(two.force, rel=1e-9)
-    assert three.swing == pytest.approx(two.swing, rel=1e-9)
+    assert three.peak_to_peak == pytest.approx(two.peak_to_peak, rel=1e-9)
     assert three.most == pytest.approx(two.most, rel=1e-9)
     assert Forces(Cut(3, KT, KR, 0.0, 2.0, runout=(0.0, 0.0, -1e-3)), DEPTH, feed).idle == {2}
     assert Forces(Cut(4, KT, KR, 0.0, 2.0, runout=(0.0, -1e-3) * 2), DEPTH, feed).idle == {1}
@@ -387,7 +389,7 @@ def test_slow_milling_leaves_what_the_force_bends():
     stiff = {"speed": 1.0, "diameter": DIAMETER, "highest": 500.0}
     for ends in ((0.0, 1.0), (2.0, math.pi)):
         straight = milled(tip, DEPTH, FEED, 2, KT, KR, *ends, **stiff)
-        assert straight.least == pytest.approx(0.0, abs=2e-3 * np.abs(straight.swing).max())
+        assert straight.least == pytest.approx(0.0, abs=2e-3 * np.abs(straight.peak_to_peak).max())
     helix = math.atan(0.8 * DIAMETER / 2.0 / DEPTH)
     curved = milled(tip, DEPTH, FEED, 2, KT, KR, 0.0, 1.0, helix=helix, **stiff)
     forces = Forces(Cut(2, KT, KR, 0.0, 1.0, 0.8), DEPTH, FEED)
@@ -402,10 +404,10 @@ def test_process_damping_rubs_by_the_cutting_speed():
     found = milled(tip, *given, highest=3000.0, process_damping=3e4)
     rubbing, top = 3e4 / (0.5 * DIAMETER * SPEED), 2.0 * math.pi * 3000.0
     known = Forced(Forces(cut, DEPTH, FEED), DIAMETER, SPEED, top, rubbing).solve(tip, ["down"])
-    assert found.swing == pytest.approx(known.swing)
+    assert found.peak_to_peak == pytest.approx(known.peak_to_peak)
     assert found.most == pytest.approx(known.most)
     without = milled(tip, *given, highest=3000.0)
-    assert np.abs(found.swing / without.swing - 1.0).max() > 1e-3
+    assert np.abs(found.peak_to_peak / without.peak_to_peak - 1.0).max() > 1e-3
     with pytest.raises(InvalidInput, match="process_damping: given -1 N/m; allowed: from 0"):
         milled(tip, *given, process_damping=-1.0)
 
@@ -472,14 +474,14 @@ def test_vibration_that_takes_teeth_out_of_the_cut(monkeypatch):
     found = forced.solve(tip, ["up"])
     path, largest, _ = over_time(cut, (0.0, 0.0), 0.0, turns=40, steps=2400)
     assert found.error < 1e-3
-    assert found.swing[0] == pytest.approx(np.ptp(path[:, 0]), rel=5e-3)
+    assert found.peak_to_peak[0] == pytest.approx(np.ptp(path[:, 0]), rel=5e-3)
     assert found.force == pytest.approx(largest, rel=1e-2)
     order = 2.0 * np.arange(math.ceil(forced.top / (2.0 * SPEED)) + 1.0)
     own = tip(order * SPEED)
     force = _Loop(forced, order, own).solve(forced.forces.harmonics(order))
     moved = np.einsum("kij,kj->ki", own, force)[:, 0]
     linear = np.ptp(np.fft.irfft(moved, 1024) * 1024)
-    assert linear / found.swing[0] == pytest.approx(0.908, abs=0.01)
+    assert linear / found.peak_to_peak[0] == pytest.approx(0.908, abs=0.01)
     assert found.departure > 0.09
 
 
@@ -550,7 +552,7 @@ def test_vibration_that_does_not_settle_is_not_taken_for_right():
     depth = 0.98 * limit_depth(tip, *cut, pitch=pitch).depth
     found = milled(tip, depth, FEED, *cut, DIAMETER, pitch=pitch)
     assert found.error > 0.01
-    assert np.isfinite(found.swing).all()
+    assert np.isfinite(found.peak_to_peak).all()
 
 
 def test_forced_vibration_grows_without_bound_towards_a_fold():

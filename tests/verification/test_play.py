@@ -9,7 +9,9 @@ import pytest
 
 import rotordyn
 from rotordyn.errors import NoSolution
+from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload import axial_curves, play
+from rotordyn.preload.friction import operating_state
 from rotordyn.preload.history import history
 from rotordyn.preload.play import axial_run_up
 from rotordyn.scene.scene import Scene
@@ -62,6 +64,21 @@ def test_same_path_as_event_by_event(name: str, under: str) -> None:
         for states, shifts in zip(([top, *falling], [falling[-1], *rising]), branches, strict=True):
             positions = np.array([state.x for state in states])
             assert positions == pytest.approx(shifts + from_mounted, abs=2e-9)  # of up to 100 µm
+
+
+@pytest.mark.parametrize("friction", [60.0, 400.0])
+def test_runs_up_on_ways_whose_temperatures_turn(friction: float) -> None:
+    """As event by event, whatever other speeds there are."""
+    speed = np.array([2000.0, 9000.0, 12000.0]) * RPM
+    warm = Temperatures(shaft=(20.0, 45.0), housing=(20.0, 30.0), speeds=(0.0, float(speed[-1])))
+    case = rotordyn.load("grinding_spindle")
+    sleeve = replace(case.spindle.sleeves[0], friction=friction)
+    machine, law = replace(case.spindle, sleeves=(sleeve,)), case.conditions.law
+    path = history(operating_state(machine, speed, law, 0.0, warm), 0.0)
+    states = np.array([state.x for state in path.run_up()])
+    every, last = (axial_run_up(machine, law, at, 0.0, warm) for at in (speed, speed[2:]))
+    assert every.idle - every.mounted == pytest.approx(states, abs=2e-9)
+    assert last.idle[0] == pytest.approx(every.idle[2], abs=1e-12)
 
 
 def test_weight_shifts_what_is_rest() -> None:

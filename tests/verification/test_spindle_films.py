@@ -11,7 +11,7 @@ import pytest
 import rotordyn
 from bearings import Lubricant
 from bearings.film import film
-from bearings.on_film import moved_races, on_film
+from bearings.on_film import on_film, race_separation
 from rotordyn.errors import InvalidInput
 from rotordyn.scene.lubrication import Lubrication
 from rotordyn.scene.scene import Scene
@@ -93,7 +93,7 @@ def test_races_move_off_their_films_by_virtual_work():
     contacts on the films; a pair in balance moves by h/cos α, not by the sum of both."""
     state = four_point(R24_14).equilibrium(load=[4e3, 9e3, 0.0, 0.0, 0.0], speed=300.0)
     films = film(state, Lubricant(32e-6, 5.4e-6), 60.0)
-    moved = moved_races(state, films)
+    moved = race_separation(state, films)
     loaded = state.contact_load > 0.0
     assert {2, 4} <= {*loaded.sum(axis=1)}
     load, thick = (np.where(loaded, each, 0.0) for each in (state.contact_load, films.central))
@@ -114,7 +114,7 @@ def test_a_pair_of_contacts_in_balance_moves_by_the_wedge_of_both():
     films = film(state, Lubricant(32e-6, 5.4e-6), 60.0)
     ball = int(np.argmax(state.contacts))
     assert state.contacts[ball] == 4
-    for own, at in zip(moved_races(state, films), (0, 2), strict=True):
+    for own, at in zip(race_separation(state, films), (0, 2), strict=True):
         wedge = films.central[ball, at] / np.cos(state.contact_angle[ball, at])
         assert own[ball] == pytest.approx([wedge, 0.0], rel=1e-6, abs=1e-6 * wedge)
 

@@ -344,7 +344,7 @@ def test_a_negative_stiffness_as_large_as_the_machines_pushes_the_shaft_away(sha
     spindle = mfw2310(supports=(LinearSupport("field", -0.0524, field),))
     found = scene(spindle, SPEEDS)
     falls = [False, share > 1.0, True]
-    assert found.pushed_away.tolist() == falls
+    assert found.statically_unstable.tolist() == falls
     (said,) = [each for each in found.warnings if "negative stiffness of support field" in each]
     assert f"at {sum(falls)} of 3 speeds" in said
     result = stiffness_answer(found, StiffnessSpec("Oc2", 10.0, 1))

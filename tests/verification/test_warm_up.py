@@ -26,7 +26,9 @@ from rotordyn.analyses.warm_up.summary import accuracy, in_words, numbers, summa
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.machine import BearingTemperatures, RingGrowth, Temperatures
 from rotordyn.machine.spindle import Spindle
+from rotordyn.preload.fit_pressure import fit_pressure
 from rotordyn.preload.heat_balance import Flow, contact_heat, tables, with_oil
+from rotordyn.preload.ring_stress import ring_stress
 from rotordyn.preload.warming import Begin, _Oiled, warming
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.heat_flow import SpindleHeatFlow
@@ -298,7 +300,7 @@ def test_a_speed_without_balance_says_so_however_short_the_time() -> None:
     told = [line for line in warnings(fallen) if "times that of the warm spindle" in line]
     assert not [line for line in told if "20000 rpm" in line]
     assert without_balance().unbalanced[0]
-    (told_once,) = warnings(without_balance())
+    (told_once,) = (w for w in warnings(without_balance()) if "lets go" not in w)
     assert "at 20000 rpm temperatures run away" in told_once
 
 
@@ -386,6 +388,9 @@ def test_a_bearing_pressed_from_either_side_has_its_largest_load() -> None:
     assert peak in summary(other)[0].replace("\N{NO-BREAK SPACE}", " ")
     picture = warming_figure(other)
     assert picture.axes[0].get_ylim()[0] < other.axial_load.min()
+    dots = [line.get_xydata()[0] for line in picture.axes[0].lines if len(line.get_xydata()) == 1]
+    signed = -other.largest_load[0, 2]  # in the frame of the turned bearing
+    assert any(dot == pytest.approx([other.largest_time[0, 2] / 60.0, signed]) for dot in dots)
 
 
 @cache
@@ -607,3 +612,67 @@ def test_shipped_cases_ask_for_it(name: str) -> None:
     asked = case(name).analyses["warm_up"]
     assert isinstance(asked, WarmUpSpec)
     assert asked.start == START
+
+
+# --- fits ----------------------------------------------------------------------------------------
+
+ON_SHAFT, RADIUS, PRESSED = 7e-6, 0.035, 11.5e-6  # m, m, 1/K
+
+
+@cache
+def loosening() -> tuple[Scene, WarmUpResult]:
+    """Inner rings that run ahead of a slow shaft."""
+    machine = held(rigid=False)
+    seats = tuple(
+        replace(seat, growth=replace(seat.growth, fit=replace(fit, interference=ON_SHAFT)))
+        for seat in machine.seats
+        if (fit := seat.growth.fit) is not None
+    )
+    here = Scene(replace(machine, seats=seats), Conditions(heat_flow=FLOW), np.array([9e3]) * RPM)
+    return here, solve_warm_up(here, spec(90.0, inner=150.0, shaft_time_constant=2400.0))
+
+
+def test_fits_lose_what_the_ring_grows_beyond_the_shaft() -> None:
+    """Pressure is linear in the interference: of two uniformly warm bodies it is short of what one
+    grows beyond the other at their common radius, α r (Ti − Ts); speed takes its part as cold."""
+    here, result = loosening()
+    rest, cold = (fit_pressure(here.spindle, speed)[0] for speed in (np.zeros(1), here.speed))
+    ahead = result.inner_temperature - result.shaft_temperature[None, :, None]
+    free = cold[:, None] - rest * PRESSED * RADIUS * ahead / ON_SHAFT
+    assert result.inner_fit_pressure == pytest.approx(np.maximum(free, 0.0), rel=1e-6, abs=1.0)
+    assert (result.inner_fit_pressure == 0.0).any()
+    assert (warmed()[1].inner_fit_pressure > 0.0).all()
+    assert np.isnan(result.outer_fit_pressure).all(), "no fit in the housing is given"
+
+
+def test_a_fit_that_lets_go_on_the_way_is_named_with_its_times() -> None:
+    here, result = loosening()
+    assert not [words for words in here.warnings if "lets go" in words], "in balance it holds"
+    (sentence,) = [words for words in warnings(result) if "lets go" in words]
+    loose = result.time[(result.inner_fit_pressure[0] == 0.0).any(axis=1)]
+    assert f"{in_words(loose[0])} to {in_words(loose[-1])} after the start at 9000 rpm" in sentence
+    assert loose[0] > 0.0
+    assert loose[-1] < result.time[-1]
+    assert not [words for words in warnings(warmed()[1]) if "lets go" in words]
+    always = np.minimum(result.inner_fit_pressure, 1.0) * 0.0
+    (sentence,) = [w for w in warnings(replace(result, inner_fit_pressure=always)) if "lets" in w]
+    assert "from 0 s after the start on at 9000 rpm (so, no longer, b, c, d)" in sentence
+
+
+def test_stress_of_inner_rings_on_the_way_is_that_at_these_temperatures() -> None:
+    here, result = loosening()
+    k = 7
+    at = {"shaft": float(result.shaft_temperature[k]), "speeds": tuple(here.speed)}
+    rings = {
+        name: BearingTemperatures(inner_ring=tuple(result.inner_temperature[:, k, column]))
+        for column, name in enumerate(result.bearing)
+    }
+    stress = ring_stress(here.spindle, here.speed, Temperatures(bearings=rings, **at))
+    assert result.ring_stress[:, k] == pytest.approx(stress, rel=1e-12)
+    assert not [words for words in warnings(result) if "yields" in words]
+    (sentence,) = [
+        words
+        for words in warnings(replace(result, ring_stress=1e3 * result.ring_stress))
+        if "yields" in words
+    ]
+    assert in_words(result.time[int(result.ring_stress.max(axis=(0, 2)).argmax())]) in sentence

@@ -18,7 +18,7 @@ class AxialCycleSpec(Spec):
 
     lowest: Annotated[Force, "lowest force towards +x"] = -1000.0
     highest: Annotated[Force, "highest force towards +x"] = 1000.0
-    steps: Annotated[int, Whole(1, MOST_STEPS), "steps from one to the other"] = 50
+    steps: Annotated[int, Whole(1, MOST_STEPS), "number of steps from lowest to highest"] = 50
 
     def _faults(self) -> Faults:
         if self.highest <= self.lowest:

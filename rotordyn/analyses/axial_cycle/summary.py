@@ -55,7 +55,7 @@ def warnings(result: AxialCycleResult) -> list[str]:
 
 
 def _unloading_force(result: AxialCycleResult, place: int) -> str:
-    """Describe the force that a cycle from no load reaches between two solved forces."""
+    """Return as text the force that unloads, coming from no load: between two solved forces."""
     force = result.force
     previous = place - int(np.sign(force[place]))
     if not 0 <= previous < len(force) or previous == place:

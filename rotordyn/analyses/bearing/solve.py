@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 import bearings
 from bearings.bearing import BallBearing
-from bearings.heat.mounted import Heated, Mounting
+from bearings.heat.mounted import Mounting, ThermalState
 from bearings.ring.condition import remedy
 from bearings.ring.motion import ball_motion
 from bearings.ring.state import BearingState
@@ -95,7 +95,7 @@ class _Solved(NamedTuple):
     temperature: Array
     growth: Array
     stiffness: Array | None = None
-    hot: Heated | None = None
+    hot: ThermalState | None = None
 
 
 def _solved(

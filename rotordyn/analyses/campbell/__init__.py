@@ -16,7 +16,7 @@ ANALYSIS = in_folder(
     "warnings",
     "known",
     "lacking",
-    "unlisted",
+    "missing_entries",
     machine="spindle",
     place=10,
     spec=CampbellSpec,

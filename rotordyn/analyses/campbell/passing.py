@@ -11,7 +11,8 @@ from rotordyn.scene.scene import Scene
 
 
 def passing(scene: Scene, wanted: tuple[str, ...]) -> tuple[tuple[str, ...], Array]:
-    """Return names and frequencies (speeds, names) [Hz]; identical bearings share a name."""
+    """Return names and frequencies (speeds, names) [Hz] of the defects ``wanted``; identical
+    bearings share a name."""
     if not wanted:
         return (), np.zeros((len(scene.speed), 0))
     from bearings.life import frequencies

@@ -14,7 +14,7 @@ from rotordyn.results.kinds import Array, Complex, Flags, Words
 
 NOT_FOLLOWED = Absence("at a speed at which the mode is not followed", beside="followed")
 UNREFINED = Absence("where the model is not refined")
-STILL = Absence("of a motion that does not swing", beside="frequency")
+STILL = Absence("of a motion that does not oscillate", beside="frequency")
 
 
 @dataclass(frozen=True)

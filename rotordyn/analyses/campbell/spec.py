@@ -35,10 +35,12 @@ class ShapesInSpaceSpec(Description):
 class CampbellSpec(Spec):
     """Damped modes over speed."""
 
-    max_frequency: Annotated[Frequency, "modes that come below it are followed"] = 4000.0
+    max_frequency: Annotated[Frequency, "modes that come below it at any speed are followed"] = (
+        4000.0
+    )
     teeth: Annotated[
         tuple[Annotated[int, Whole(1, MOST_TEETH)], ...],
-        "numbers of cutter teeth whose passing frequency is drawn",
+        "numbers of cutter teeth whose tooth passing frequency is drawn",
     ] = ()
     shapes: Annotated[bool, "keep the mode shapes at the first and last speed"] = True
     shapes_3d: Annotated[
@@ -47,7 +49,7 @@ class CampbellSpec(Spec):
     ] = None
     engine_orders: Annotated[
         tuple[EngineOrder, ...],
-        "multiples of the speed, whole or not, whose critical speeds are sought",
+        "multiples of the speed, integer or not, whose critical speeds are sought",
     ] = (1.0,)
 
     bearing_frequencies: Annotated[

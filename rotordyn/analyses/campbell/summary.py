@@ -188,7 +188,7 @@ def lacking(result: CampbellResult) -> Iterator[Number]:
     yield Number(UNSTABLE, "rpm", math.nan)
 
 
-def unlisted(_: CampbellResult) -> Iterator[tuple[str, list[str]]]:
+def missing_entries(_: CampbellResult) -> Iterator[tuple[str, list[str]]]:
     """Yield all names that modes, and modes at critical speeds, may have."""
     combinations = product(MOTIONS, range(MOST), ("", *(f" {whirl}" for whirl in WAYS)))
     names = [f"{kind} {k + 1}{whirl}" for kind, k, whirl in combinations]
@@ -269,7 +269,7 @@ def _omitted_modes(result: CampbellResult) -> list[str]:
         else:
             sentences.append(
                 f"{result.mode[k]} is not followed at {missing.size} of the speeds, {speeds} rpm: "
-                "no mode that swings has its shape there, in the band or somewhat above it"
+                "no mode that oscillates has its shape there, in the band or somewhat above it"
             )
     return sentences
 

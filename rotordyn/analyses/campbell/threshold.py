@@ -18,7 +18,7 @@ from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.errors import NoSolution
 from rotordyn.modes.band import Band
 from rotordyn.modes.branches import MOTIONS, Branch, found_in
-from rotordyn.numerics.modes import grows, swings
+from rotordyn.numerics.modes import grows, oscillates
 from rotordyn.scene.scene import Scene
 
 DIVERGENCE = "a divergence"  # in place of a mode
@@ -91,13 +91,13 @@ def _unstable(
     scene: Scene, subsystem: int, highest: float, speed: float, modes: Sequence[tuple[Branch, str]]
 ) -> str:
     """Return the mode of a subsystem, or ``DIVERGENCE``, that grows most just above a speed: the
-    one whose pole, interpolated over speed, is nearest; several may grow farther up. Empty where
-    there is no equilibrium."""
+    one whose pole, interpolated over speed, is nearest to the fastest growing pole there, since
+    several modes may grow farther up. Empty where there is no equilibrium."""
     above = min((1.0 + ABOVE) * speed, float(scene.speed[-1]))  # where tables of supports may end
     pole = _fastest_pole(scene, subsystem, highest, above)
     if pole is None or not modes:
         return ""
-    if not swings(np.array([pole]))[0]:
+    if not oscillates(np.array([pole]))[0]:
         return DIVERGENCE
 
     def distance(branch: Branch) -> float:
@@ -112,7 +112,7 @@ def _unstable(
 
 def _diverging(motions: FreeMotions) -> Flags:
     """Return which motions (s, k) grow without oscillation."""
-    return np.asarray(motions.growing & ~swings(motions.pole))
+    return np.asarray(motions.growing & ~oscillates(motions.pole))
 
 
 def _onset(
@@ -154,7 +154,8 @@ def _growth(scene: Scene, subsystem: int, highest: float, speed: float) -> float
 
 
 def _fastest_pole(scene: Scene, subsystem: int, highest: float, speed: float) -> complex | None:
-    """Return the pole of that motion, −1 where there is none; None without equilibrium."""
+    """Return the pole of largest Re λ / |λ| as in ``_growth``, −1 where no motion is below the
+    ``highest`` frequency [rad/s] or diverges; None without equilibrium."""
     other = scene.at(np.array([speed]))
     if any(other.outcome):
         return None

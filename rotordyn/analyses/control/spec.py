@@ -14,8 +14,8 @@ from rotordyn.scene.spec import Spec
 class ControlSpec(Spec):
     """Which race controls the balls of a single bearing, over axial load [N]."""
 
-    max_load: Annotated[Load, "highest axial load to look at"]
-    min_load: Annotated[LightLoad, "lowest axial load to look at"] = 10.0
+    max_load: Annotated[Load, "highest axial load"]
+    min_load: Annotated[LightLoad, "lowest axial load"] = 10.0
     radial: Annotated[RadialShare, "radial load over the axial one"] = 0.0
     static_growth: Annotated[Growth, "radial growth of the inner groove at rest"] = 0.0
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,9 +22,20 @@ NAME = "tool on the measured spindle"
 ROUNDS, TRIED = 2, 41  # frequencies tried around each peak, and once more around the best
 
 
-def with_coupled(spec: FrfSpec, spindle: Spindle) -> tuple[FrfSpec, dict[str, float]]:
+class TipError(NamedTuple):
+    """What makes a coupled tip uncertain: ``noise`` over its size, ``calibration``: its relative
+    error over that of every response, a sentence of ``doubt``; ``at``: the standard deviation of
+    its amplitude by noise, over it, at frequencies (n,) [Hz]."""
+
+    noise: float
+    calibration: float
+    doubt: str
+    at: Callable[[Array], Array]
+
+
+def with_coupled(spec: FrfSpec, spindle: Spindle) -> tuple[FrfSpec, dict[str, TipError]]:
     """Add the coupled tip to the measured responses of a spec; the spec itself without a measured
-    spindle. Returns the relative errors of the added responses by noise, by name, as well."""
+    spindle. Returns the errors of the added responses, by name, as well."""
     if spec.measured_spindle is None:
         return spec, {}
     machine = OnMeasured(spec.measured_spindle, spindle)
@@ -33,10 +45,23 @@ def with_coupled(spec: FrfSpec, spindle: Spindle) -> tuple[FrfSpec, dict[str, fl
         plane = port.direction if port.direction in machine.fits else machine.measured.planes[0]
         name = NAME if port.direction == PLANES[0] else f"{NAME} {port.direction}"
         added.append(_coupled(machine, port, plane, spec, name))
-        omega = 2.0 * math.pi * np.array(added[-1].frequency)
-        error, size = machine.error(plane, omega), np.abs(machine.tip(plane, omega))
-        errors[name] = float(np.linalg.norm(error) / np.linalg.norm(size))
+        errors[name] = _error(machine, plane, np.array(added[-1].frequency))
     return replace(spec, measured=(*spec.measured, *added)), errors
+
+
+def _error(machine: OnMeasured, plane: str, hertz: Array) -> TipError:
+    """Error of the tip over its size: of root mean squares at ``hertz`` (f,), and at others."""
+    omega = 2.0 * math.pi * hertz
+    size = np.linalg.norm(machine.tip(plane, omega))
+    noise, calibration = (
+        float(np.linalg.norm(of(plane, omega)) / size)
+        for of in (machine.error, machine.calibration)
+    )
+
+    def at(hertz: Array) -> Array:
+        return machine.amplitude_error(plane, 2.0 * math.pi * hertz)
+
+    return TipError(noise, calibration, machine.doubt(plane), at)
 
 
 def _coupled(

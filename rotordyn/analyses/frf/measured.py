@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.analyses.frf.coupled import TipError
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.measured_response import as_quantity
 from rotordyn.numerics.line_peak import line_peak
@@ -16,6 +17,7 @@ from rotordyn.numerics.line_peak import line_peak
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 PEAKS = 3
+NO_TIP = TipError(math.nan, math.nan, "", np.asarray)
 LEAST_POINTS = 8  # in the band: with fewer, any two smooth curves correlate
 PROMINENT = math.sqrt(2.0)  # ratio by which an amplitude falls on both sides of a peak: 3 dB
 
@@ -27,13 +29,14 @@ def measured_fields(
     pairs: Sequence[str],
     computed: Callable[[int, Array], Complex],
     peaks: tuple[Array, Complex],
-    errors: Mapping[str, float] = {},
+    errors: Mapping[str, TipError] = {},
 ) -> dict[str, Any]:
     """Fields of a result for the measured responses ``spec.measured``.
 
     ``computed``: responses (pairs, n) at the index of a speed and frequencies (n,) [Hz];
     ``peaks``: frequency and value (speeds, pairs, resonances). The computed response is that at
-    the nearest speed of the case. ``errors``: relative errors by the name of the response.
+    the nearest speed of the case. ``errors``: of coupled tips, by the name of the response: a fit
+    to their peaks knows nothing of noise, which the modes of the measurement have averaged.
     """
     count, longest = len(spec.measured), max((len(m.frequency) for m in spec.measured), default=0)
     axis = np.full((count, longest), np.nan)
@@ -56,7 +59,12 @@ def measured_fields(
             grid = np.unique(np.concatenate([frequency, peak_at[is_peak], valleys]))
             curve = np.abs(computed(speed_index, grid)[pair])
             curve[np.searchsorted(grid, peak_at[is_peak])] = np.abs(peak_value[is_peak])
-            peak_rows[:, row] = _paired_peaks(at_frequency[inside], measured[inside], grid, curve)
+            rows = _paired_peaks(at_frequency[inside], measured[inside], grid, curve)
+            if entry.name in errors and (known := np.isfinite(rows[0])).any():
+                rows[2, known] = errors[entry.name].at(rows[0, known])
+            peak_rows[:, row] = rows
+    tips = [errors.get(entry.name, NO_TIP) for entry in spec.measured]
+    of_tips = np.array([[tip.noise, tip.calibration] for tip in tips]).reshape(-1, 2)
     of_measured = ("measured_peak", "measured_peak_amplitude", "measured_peak_error")
     names = (*of_measured, "computed_peak", "computed_peak_amplitude")
     return {
@@ -68,7 +76,9 @@ def measured_fields(
         "measured_frequency": axis,
         "measured_response": response,
         "frac": frac,
-        "measured_error": np.array([errors.get(entry.name, np.nan) for entry in spec.measured]),
+        "measured_error": of_tips[:, 0],
+        "measured_calibration": of_tips[:, 1],
+        "measured_doubt": tuple(tip.doubt for tip in tips),
         **dict(zip(names, peak_rows, strict=True)),
     }
 

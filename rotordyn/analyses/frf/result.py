@@ -16,6 +16,7 @@ AS_COMPUTED = "SI, as computed"  # unit of fields whose entries have those of th
 
 
 FEWER = Absence("behind the last peak", last="resonance")
+NO_TIP = Absence("of a response that is no coupled tip", by=("measured",))
 BEYOND = Absence("behind the last frequency of the slice", last="place")
 
 
@@ -200,8 +201,15 @@ class FrequencyResponse:
         "measured",
         unit="1",
         label="error of a coupled tip by noise, over its size",
-        absent=(Absence("of a response that is no coupled tip", by=("measured",)),),
+        absent=(NO_TIP,),
     )
+    measured_calibration: Array = quantity(
+        "measured",
+        unit="1",
+        label="relative error of a coupled tip over that of the responses",
+        absent=(NO_TIP,),
+    )
+    measured_doubt: Words = quantity("measured", unit="", label="what makes a coupled tip doubtful")
 
     def highest(self, pair: int) -> tuple[int, int] | None:
         """Speed and resonance of the highest peak of a pair, None where there is none."""

@@ -35,13 +35,13 @@ class FrfSpec(Spec):
         tuple[Frequency, ...],
         Sweep(),
         Key(default=()),
-        "of the excitation, independent of speed; these or `engine_orders`, or both",
+        "excitation frequencies, independent of speed; these or `engine_orders`, or both",
     ]
     pairs: Annotated[
         tuple[Annotated[tuple[Port, Port], Pair()], ...],
         Items(),
         Key(missing="it must be given, or matrix"),
-        "which responses to which forces; these or `matrix`, or both",
+        "responses and excitations of single FRFs; these or `matrix`, or both",
     ]
     slices: Annotated[
         tuple[Speed, ...],
@@ -57,12 +57,12 @@ class FrfSpec(Spec):
     ] = ()
     measured_spindle: Annotated[
         MeasuredSpindle | None,
-        "with the tool of the case coupled to it, laid over the tip of the computed machine "
-        "([how](howto/measured_spindle.md))",
+        "measured receptances of a spindle, with the tool of the case coupled to them; "
+        "shown over the tip of the computed machine ([how](howto/measured_spindle.md))",
     ] = None
     engine_orders: Annotated[
         tuple[EngineOrder, ...],
-        "multiples of the speed of every rotor, whole or not, followed over speed",
+        "multiples of the speed of every rotor, integer or not, along which responses are computed",
     ] = ()
 
     @property

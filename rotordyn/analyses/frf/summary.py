@@ -102,7 +102,13 @@ def _line(result: FrequencyResponse, row: int) -> str:
     if not math.isfinite(result.frac[row]):
         return f"{head}: not compared, {_why_not(result, row)}"
     noise = result.measured_error[row]
-    uncertainty = f", uncertain by {noise:.1%} by noise" if math.isfinite(noise) else ""
+    uncertainty = ""
+    if math.isfinite(noise):
+        growth = result.measured_calibration[row]
+        uncertainty = (
+            f", uncertain by {noise:.1%} by noise and by {growth:.0f}% for each 1% (or 0.6°) of "
+            "calibration"
+        )
     return f"{head}: FRAC {result.frac[row]:.3f}{uncertainty}{compared}"
 
 
@@ -126,6 +132,11 @@ def warnings(result: FrequencyResponse) -> list[str]:
         "take a shorter blank, or more averages"
         for name, noise in zip(result.measured, result.measured_error, strict=True)
         if noise > NOISY
+    ]
+    sentences += [
+        f"{name}: {doubt}"
+        for name, doubt in zip(result.measured, result.measured_doubt, strict=True)
+        if doubt
     ]
     sentences += [*_wide_lines(result), *_driving_points(result)]
     worst = float(result.error.max(initial=0.0))

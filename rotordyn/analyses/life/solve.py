@@ -266,7 +266,7 @@ def _step(
     scene: Scene, spec: LifeSpec, place: int, ratings: _Ratings
 ) -> tuple[list[float], list[float], list[bool]]:
     """Life of every bearing under one step of the spectrum [s], infinite at rest, its static
-    safety, and whether no ball is loaded; the loads of the conditions act as well.
+    safety, and whether its inner ring loads no ball; the loads of the conditions act as well.
 
     Raises
     ------

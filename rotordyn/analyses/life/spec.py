@@ -23,10 +23,12 @@ _SUM = 1e-6  # by which shares may miss 1
 class LoadStep(Description):
     """One step of a load spectrum."""
 
-    share: Annotated[Share, "of the time; those of all steps add up to 100 %"]
-    speed: Annotated[Speed, "of the spindle"]
+    share: Annotated[Share, "share of the time; those of all steps add up to 100 %"]
+    speed: Annotated[Speed, "spindle speed"]
     axial_force: Annotated[
-        Force, "on the front end of the shaft, towards +x, besides that of the conditions"
+        Force,
+        "axial force on the front end of the shaft, towards +x, in addition to that of "
+        "the conditions",
     ] = 0.0
     loads: Annotated[
         tuple[PointLoad, ...], "static loads on the shaft, besides those of the conditions"
@@ -53,12 +55,13 @@ class LifeSpec(Spec):
         "C0 of a catalogue, likewise, for the static safety, Cu of the modified life, and the "
         "`palmgren` moment",
     ] = field(default_factory=dict)
-    reliability: Annotated[float, Choice(RELIABILITIES), "of the modified life"] = 0.90
+    reliability: Annotated[float, Choice(RELIABILITIES), "reliability of the modified life"] = 0.90
     target: Annotated[Duration | None, "life that every bearing shall reach, a warning if not"] = (
         None
     )
     spectrum: Annotated[
-        tuple[LoadStep, ...], "loads and speeds by their shares of time, for one life of all"
+        tuple[LoadStep, ...],
+        "load spectrum: loads and speeds with their shares of time, for one life",
     ] = ()
     heat: Annotated[
         str,

@@ -18,7 +18,7 @@ class MatricesSpec(Spec):
     """The equation of motion at every speed by its matrices, for programs of control, of
     simulation, of substructures."""
 
-    max_frequency: Annotated[Frequency, "up to which the machine is modelled"]
+    max_frequency: Annotated[Frequency, "highest frequency of the model"]
     ports: Annotated[
         tuple[Port, ...],
         Items(),

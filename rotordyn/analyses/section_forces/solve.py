@@ -19,7 +19,7 @@ from rotordyn.equation.mesh import Mesh
 from rotordyn.machine.inertia import mass_in_front
 from rotordyn.machine.spindle import Spindle
 from rotordyn.scene.at_rest import at_rest
-from rotordyn.scene.linearity import departure, moved_by
+from rotordyn.scene.linearity import departure, ring_displacements
 from rotordyn.scene.loads import TwistLimit
 from rotordyn.scene.scene import Scene
 
@@ -44,7 +44,7 @@ def solve(scene: Scene, spec: SectionForcesSpec) -> SectionForcesResult:
     departures = np.full((len(at_ends), len(spindle.connections)), np.nan)
     if spindle.seats:
         seats = len(spindle.seats)
-        departures[:, :seats] = departure(scene, moved_by(scene, -push[:, :seats]))
+        departures[:, :seats] = departure(scene, ring_displacements(scene, -push[:, :seats]))
         at_ends[..., 0] += _preloaded(scene, mesh)
         push = push + _preload_push(scene)
     cut = scene.scattered(at_ends.reshape(len(at_ends), -1, 6))

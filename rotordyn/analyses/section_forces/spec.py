@@ -11,7 +11,7 @@ from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.quantity import Choice
 from rotordyn.scene.loads import LineLoad, PointLoad, TwistLimit, Unbalance
-from rotordyn.scene.spec import Setting, Spec, held_twice, placed, spanned
+from rotordyn.scene.spec import Setting, Spec, placed, redundant_support_faults, span_faults
 
 WEIGHT = ("none", "+x", "-x", "+y", "-y", "+z", "-z")
 
@@ -25,12 +25,12 @@ class SectionForcesSpec(Spec):
 
     loads: Annotated[tuple[PointLoad, ...], "forces and moments at points or stations"] = ()
     line_loads: Annotated[tuple[LineLoad, ...], "forces per length"] = ()
-    unbalances: Annotated[tuple[Unbalance, ...], "rotating forces as they stand at one angle"] = ()
+    unbalances: Annotated[tuple[Unbalance, ...], "rotating forces at one angular position"] = ()
     gravity: Annotated[
         str, Choice(WEIGHT), "direction of the rotor's weight, in any of the axes"
     ] = "none"
     twist_limits: Annotated[
-        tuple[TwistLimit, ...], "angles by which it may twist, and the diameters that keep to them"
+        tuple[TwistLimit, ...], "limits of the twist of the shaft, for which diameters are computed"
     ] = ()
 
     def _faults(self) -> Faults:
@@ -59,10 +59,10 @@ class SectionForcesSpec(Spec):
         for index, unbalance in enumerate(self.unbalances):
             yield from placed(unbalance.at, spindle, ("unbalances", index, "at"))
         for index, line in enumerate(self.line_loads):
-            yield from spanned(line.start, line.to, spindle, ("line_loads", index))
+            yield from span_faults(line.start, line.to, spindle, ("line_loads", index))
         for index, limit in enumerate(self.twist_limits):
             path = "twist_limits", index
-            faults = [*spanned(limit.start, limit.to, spindle, path)]
+            faults = [*span_faults(limit.start, limit.to, spindle, path)]
             yield from faults or _of_one_part(limit, spindle, path)
         if not {self.gravity, conditions.gravity} & {"", "none"}:
             yield (
@@ -75,7 +75,7 @@ class SectionForcesSpec(Spec):
         """Require that the shaft is no free body under its loads, and reactions are determined."""
         from rotordyn.analyses.section_forces.static_loads import require_held
 
-        if faults := [*held_twice(setting)]:
+        if faults := [*redundant_support_faults(setting)]:
             yield from faults
             return
         try:

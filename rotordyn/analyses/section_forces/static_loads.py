@@ -10,7 +10,7 @@ import numpy as np
 
 from rotordyn.analyses.section_forces.spec import SectionForcesSpec
 from rotordyn.arrays import Array
-from rotordyn.equation.holding import rigid_motion, unheld_motions
+from rotordyn.equation.holding import rigid_motion, unrestrained_motions
 from rotordyn.equation.mesh import Mesh, build_mesh, station_mesh
 from rotordyn.machine.spindle import Spindle
 from rotordyn.scene.at_rest import on_nodes, require_balance, weight
@@ -86,7 +86,7 @@ def require_held(spindle: Spindle, spec: SectionForcesSpec, conditions: Conditio
     ------
     InvalidInput : they do not: the shaft is a free body
     """
-    if not unheld_motions(spindle).shape[1]:
+    if not unrestrained_motions(spindle).shape[1]:
         return
     mesh = station_mesh(_marked(spindle, spec))
     loads = static_loads(spindle, mesh, spec, conditions)

@@ -12,7 +12,7 @@ from rotordyn.results.described import Described
 from rotordyn.results.display import MEGAPASCAL, MICROMETRE, RPM
 from rotordyn.results.headline import Number, each_speed
 from rotordyn.results.text import from_to, unbroken
-from rotordyn.scene.linearity import beyond_tangents, not_small
+from rotordyn.scene.linearity import not_small, tangent_warnings
 
 FORCES = {
     "N": "normal_force",
@@ -110,7 +110,9 @@ def warnings(result: SectionForcesResult) -> list[str]:
     """Twist above what is allowed, loads beyond the tangents of bearings, large deflections."""
     largest = np.nanmax(np.abs(result.twist_between), axis=0)
     limits = zip(result.twist_limit, largest, result.allowed_twist, strict=True)
-    sentences = [*beyond_tangents("section_forces", result.support, result.speed, result.departure)]
+    sentences = [
+        *tangent_warnings("section_forces", result.support, result.speed, result.departure)
+    ]
     inclined = np.hypot(result.slope_y, result.slope_z)
     sentences += not_small("section_forces", result.speed, inclined)
     return sentences + [

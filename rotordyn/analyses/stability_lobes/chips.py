@@ -1,8 +1,8 @@
 """Chips of the teeth of a cutter in a rigid machine, with run-out.
 
 A tooth at the angle φ cuts down to the surface that the deepest of the previous teeth left there:
-with F the feed since that one and D the difference of their run-out, h = F sin φ + D. Where h is
-below 0 the tooth is not in cut, and the next one has a thicker chip.
+with F the feed since that one and D the run-out of the tooth minus its, h = F sin φ + D. Where h
+is below 0 the tooth is not in cut, and the next one has a thicker chip.
 
 Theory: docs/theory/lobes.md.
 """
@@ -38,7 +38,7 @@ class Chip:
 
 
 class Passed(NamedTuple):
-    """Difference of a tooth from each of the previous teeth, itself last (teeth,): ``gap`` [rad],
+    """Tooth minus each of the previous teeth, itself last (teeth,): ``gap`` [rad],
     ``feed`` [m], and run-out (``height``) [m]."""
 
     gap: Array

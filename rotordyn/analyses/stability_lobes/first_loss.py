@@ -29,7 +29,7 @@ def first_loss(coarse: Radius, fine: Radius, low: float, high: float, step: floa
     where all depths are stable, 0 where the machine is unstable without a cut.
 
     ``coarse``: spectral radius over depth of a quick map, by which depths are tried; ``fine``: of
-    the map that gives the depth. ``step``: longest step [m] up to depths of 100 steps.
+    the map that gives the depth. ``step``: longest step [m] up to depths of ``EVEN`` steps.
     """
     coarse, fine = cache(coarse), cache(fine)
     if fine(low) >= 1.0:
@@ -48,7 +48,8 @@ def _search(
     radius: Radius, low: float, high: float, step: float, within: float, doubtful: float = 0.0
 ) -> float:
     """Return the least depth at which the radius is 1, to a relative tolerance ``within``; 0 where
-    it exceeds 1 at ``low``; NaN where a maximum is nearer to 1 than ``doubtful``."""
+    it is above 1 at ``low``; NaN where a maximum is nearer to 1 than ``doubtful``; infinite if it
+    stays below 1 up to ``high``."""
     depth = [low]
     while radius(depth[-1]) < 1.0 and depth[-1] < high:
         depth.append(min(depth[-1] * RATIO, depth[-1] + _longest_step(depth[-1], step), high))

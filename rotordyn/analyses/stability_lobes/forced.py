@@ -48,16 +48,16 @@ class Milled:
 
     ``least``, ``most`` (walls,) [m]: range over the depth of the error of each wall as the deepest
     tooth leaves it, positive where material is left. In feed and normal (2,) [m]: ``deflection``,
-    the mean displacement of the tip, and ``swing``, its peak-to-peak vibration. ``force``: the
-    largest on the tip [N]; ``torque`` [N m] and ``power`` [W]: mean values. The vibration moves
-    the ends of its own contact: ``departure``, the change of the vibration by that, and ``error``,
-    the remaining change in its iteration, small where that converges, both over its size.
+    the mean displacement of the tip, and ``peak_to_peak``, its vibration. ``force``: the largest on
+    the tip [N]; ``torque`` [N m] and ``power`` [W]: mean values. The vibration moves the ends of its
+    own contact: ``departure``, the change of the vibration by that, and ``error``, the remaining
+    change in its iteration, small where that converges, both over its size.
     """
 
     least: Array
     most: Array
     deflection: Array
-    swing: Array
+    peak_to_peak: Array
     force: float
     torque: float
     power: float

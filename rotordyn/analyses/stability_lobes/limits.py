@@ -217,8 +217,8 @@ def _interpolated(receptance: Callable[[Array], Complex], known: Array, omega: A
 
 
 def _similar_periods(period: Array, most: float) -> Iterator[slice]:
-    """Yield runs of speeds whose periods have ratios up to ``TOGETHER`` and a product with their
-    number up to ``most`` [s]; periods descend."""
+    """Yield runs of speeds whose periods have ratios up to ``TOGETHER``, with the number of speeds
+    times the longest period up to ``most`` [s]; periods descend."""
     first = 0
     for k in range(1, len(period) + 1):
         too_long = (k - first + 1) * period[first] > most

@@ -22,7 +22,7 @@ VALUES = {
     "surface_error_least": ("least", "wall"),
     "surface_error_most": ("most", "wall"),
     "tip_deflection": ("deflection", "direction"),
-    "tip_vibration": ("swing", "direction"),
+    "tip_vibration": ("peak_to_peak", "direction"),
     "cutting_force": ("force", ""),
     "cutting_torque": ("torque", ""),
     "cutting_power": ("power", ""),

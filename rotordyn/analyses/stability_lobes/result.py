@@ -19,6 +19,7 @@ CUT = Absence("where the cut is not stable or not solved", beside="cut_is_stable
 NO_MOTOR = Absence("where no motor is given")
 NO_TORQUE = Absence("where the force does not brake the spindle")
 NO_FLIP = Absence("where none is found before the next speed", by=("cutting_speed",))
+NO_TEST = Absence("without a measured spindle")
 ANY_DEPTH = Absence("where no depth is unstable", by=("cutting_speed",))
 
 
@@ -33,9 +34,12 @@ class StabilityLobesResult:
     ``motor_depth``: depth that takes the torque of the ``motor`` on average, and ``motor_removal``
     by the lesser of it and the limit. ``at_rest``: limit by the receptance of the machine at rest;
     ``even``: limit of as many evenly spaced teeth, NaN where the teeth are evenly spaced;
-    ``measured``: limit of the tool on the measured spindle, NaN without one. ``least``, ``most``:
-    over the intervals of the case and all sources of the cutting coefficients. ``source``: sources
-    of a workpiece, that of the limits first; none where the case gives coefficients itself.
+    ``measured``: limit of the tool on the measured spindle, NaN without one, with its
+    ``measured_chatter`` and ``measured_doubt``, what makes its tip doubtful; above ``measured_to``,
+    its last frequency, limit and chatter are those of the machine as computed at rest, which is
+    lower there. ``least``, ``most``: over the intervals of the case and all sources of the cutting
+    coefficients. ``source``: sources of a workpiece, that of the limits first; none where the case
+    gives coefficients itself.
     ``planned_depth``: of the planned cut, with its feed by tooth, at ``milling_speed``: the speeds
     of the cutter, none without such a cut; where it is stable it has the error of every ``wall``
     that it leaves, least and largest over its depth, of the deepest tooth, positive where material
@@ -137,8 +141,18 @@ class StabilityLobesResult:
         unit="m",
         label="stable depth of cut on the measured spindle",
         printed=MILLIMETRE,
-        absent=(Absence("without a measured spindle"),),
+        absent=(NO_TEST,),
         infinite=(ANY_DEPTH,),
+    )
+    measured_chatter: Array = quantity(
+        "cutting_speed",
+        unit="Hz",
+        label="chatter frequency on the measured spindle",
+        absent=(NO_TEST, ANY_DEPTH),
+    )
+    measured_doubt: str = quantity(unit="", label="what makes the tip on it doubtful")
+    measured_to: float = quantity(
+        unit="Hz", label="frequency up to which the spindle is measured", absent=(NO_TEST,)
     )
     least: Array = quantity(
         "cutting_speed",

@@ -62,12 +62,12 @@ def solve(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
     even = np.full(len(usable), np.nan)
     if spec.uneven:
         even = _depths(limits.of(replace(operations[0], spec=replace(spec, pitch=()))))
-    measured = _on_measured(scene, spec, operations[0], usable)
+    measured, measured_to, doubt = _on_measured(scene, spec, operations[0], usable, at_rest)
     doubling = flips(limits, operations[0])
 
     place = np.searchsorted(speeds, usable)
     depth = _spread(place, len(speeds), _depths(nominal))
-    chatter = _spread(place, len(speeds), np.array([limit.frequency for limit in nominal]))
+    chatter = _spread(place, len(speeds), _frequencies(nominal))
     waves = chatter * operations[0].delays(speeds).max(axis=1)
     removal = operations[0].removal(speeds, depth)
     loss = np.full(len(speeds), NONE, dtype=object)
@@ -102,7 +102,10 @@ def solve(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
         at_rest=_spread(place, len(speeds), _depths(at_rest)),
         even=_spread(place, len(speeds), even),
         waves=waves,
-        measured=_spread(place, len(speeds), measured),
+        measured=_spread(place, len(speeds), _depths(measured)),
+        measured_chatter=_spread(place, len(speeds), _frequencies(measured)),
+        measured_to=measured_to,
+        measured_doubt=doubt,
         least=_spread(place, len(speeds), limits_of_band[0]),
         most=_spread(place, len(speeds), limits_of_band[1]),
         workpiece_mode=np.arange(1, len(spec.workpiece_modes) + 1),
@@ -139,19 +142,44 @@ def _feed(spec: StabilityLobesSpec) -> float:
 
 
 def _on_measured(
-    scene: Scene, spec: StabilityLobesSpec, operation: Operation, speed: Array
-) -> Array:
-    """Return limits of the tool on the measured spindle (s,) [m], NaN without a measurement."""
+    scene: Scene,
+    spec: StabilityLobesSpec,
+    operation: Operation,
+    speed: Array,
+    at_rest: list[Limit],
+) -> tuple[list[Limit], float, str]:
+    """Return limits of the tool on the measured spindle, its last frequency [Hz], and what makes
+    its tip doubtful; NaN without a measurement."""
     if spec.measured_spindle is None:
-        return np.full(len(speed), np.nan)
+        return [Limit(math.nan, math.nan, NONE)] * len(speed), math.nan, ""
     machine = OnMeasured(spec.measured_spindle, scene.spindle)
     rows = np.zeros(len(speed), dtype=np.intp)
     tip = MeasuredTip(machine, _feed(spec), of_workpiece(spec.workpiece_modes))
-    return _depths(Limits(tip, rows, speed, scene.progress).of(operation))
+    doubts = ((plane, machine.doubt(plane)) for plane in machine.fits)
+    doubt = "; ".join(f"in {plane} {sentence}" for plane, sentence in doubts if sentence)
+    try:
+        limits = Limits(tip, rows, speed, scene.progress).of(operation)
+    except InvalidInput as error:
+        if not doubt:
+            raise
+        raise InvalidInput(f"{error}; {doubt}") from None
+    last = float(machine.omega[-1]) / (2.0 * math.pi)
+    return [*map(partial(_bounded, last), limits, at_rest)], last, doubt
+
+
+def _bounded(last: float, measured: Limit, at_rest: Limit) -> Limit:
+    """Return the limit on the measured spindle, or the lower one of the machine as computed where
+    that chatters above the ``last`` measured frequency [Hz]: only the model has modes there."""
+    beyond = at_rest.frequency > last and at_rest.depth < measured.depth
+    return at_rest if beyond else measured
 
 
 def _depths(limits: list[Limit]) -> Array:
     return np.array([limit.depth for limit in limits])
+
+
+def _frequencies(limits: list[Limit]) -> Array:
+    return np.array([limit.frequency for limit in limits])
 
 
 def _spread(place: Rows, count: int, values: Array) -> Array:

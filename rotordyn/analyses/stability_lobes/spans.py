@@ -174,7 +174,8 @@ class Spans:
 
     @cached_property
     def thickness(self) -> Thickness:
-        """Low-rank cutting forces: one tooth feels one direction, so that r is little above p."""
+        """Low-rank cutting forces: while one tooth cuts, they have one direction at a time, so that
+        r is little above p."""
         same, last = self.delayed
         if self.cut.even:
             forces, chip = factors(self.cutting)

@@ -71,10 +71,11 @@ class Turning(Description):
 
     force: Annotated[CuttingCoefficient, "cutting coefficient, of the whole force"]
     force_angle: Annotated[
-        ForceAngle, "of the force, from the normal to the cut surface towards the cutting speed"
+        ForceAngle,
+        "angle of the cutting force, from the normal to the cut surface towards the cutting speed",
     ] = OBLIQUE
     direction: Annotated[
-        Angle, "of the normal to the cut surface, from z in the sense of rotation"
+        Angle, "direction of the normal to the cut surface, from z in the sense of rotation"
     ] = 0.0
 
 
@@ -82,9 +83,11 @@ class Turning(Description):
 class Interval(Description):
     """Relative uncertainty of values of the model, to both sides."""
 
-    stiffness: Annotated[Share, "of the whole machine, not of a flexible workpiece"] = 0.0
-    damping: Annotated[Share, "ratios of all modes"] = 0.0
-    coefficients: Annotated[Share, "of cutting"] = 0.0
+    stiffness: Annotated[
+        Share, "uncertainty of the stiffness of the whole machine, not of a flexible workpiece"
+    ] = 0.0
+    damping: Annotated[Share, "uncertainty of the damping ratios of all modes"] = 0.0
+    coefficients: Annotated[Share, "uncertainty of the cutting coefficients"] = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,7 +99,7 @@ class PlannedCut(Description):
     tangential_edge: Annotated[
         EdgeForce, "tangential edge force by length of edge in cut, Kte; it stands for wear"
     ] = 0.0
-    radial_edge: Annotated[EdgeForce, "radial one, Kre"] = 0.0
+    radial_edge: Annotated[EdgeForce, "radial edge coefficient Kre"] = 0.0
     runout: Annotated[
         tuple[Runout, ...],
         "radial run-out of each tooth (positive: it stands out), in the order in which they cut",
@@ -111,7 +114,8 @@ class StabilityLobesSpec(Spec):
     point: Annotated[PointName, "tip of the tool, or of the workpiece in turning"]
     diameter: Annotated[
         Diameter | None,
-        "of the cutter, by default `cutter_diameter` of the tool; or of the workpiece in turning",
+        "diameter of the cutter, by default `cutter_diameter` of the tool, or of the "
+        "workpiece in turning",
     ] = None
     teeth: Annotated[int, Whole(0, 100), "teeth of the cutter"] = 0
     tangential: Annotated[
@@ -124,9 +128,11 @@ class StabilityLobesSpec(Spec):
         Workpiece | None,
         "name or path of a material with its cutting coefficients, of several sources",
     ] = None
-    immersion: Annotated[Immersion, "radial depth over diameter"] = 1.0
-    milling: Annotated[str, Choice(MILLING), "in a slot the immersion is 1"] = "slot"
-    helix: Annotated[Helix, "angle of the edges; zero-order limits do not depend on it"] = 0.0
+    immersion: Annotated[Immersion, "radial depth of cut over diameter"] = 1.0
+    milling: Annotated[
+        str, Choice(MILLING), "up- or down-milling; in a slot the immersion is 1"
+    ] = "slot"
+    helix: Annotated[Helix, "helix angle of the edges; zero-order limits do not depend on it"] = 0.0
     feed: Annotated[
         Angle, "direction of the feed, from z in the sense of rotation of the spindle"
     ] = 0.0
@@ -135,20 +141,21 @@ class StabilityLobesSpec(Spec):
         Ploughing,
         "force normal to the cut surface by velocity there, times cutting speed, per depth",
     ] = 0.0
-    interval: Annotated[Interval, "of which the band of the limits follows"] = field(
-        default_factory=Interval
+    interval: Annotated[Interval, "uncertainties from which the band of the limits follows"] = (
+        field(default_factory=Interval)
     )
     feed_per_tooth: Annotated[
         Length,
-        "in turning by revolution, of uneven teeth on average; for the removal rate and the "
-        "planned `cut`, it does not change the limits",
+        "feed per tooth (in turning per revolution; the average of uneven teeth), for "
+        "the removal rate and the planned `cut`; it does not change the limits",
     ] = 1e-4
-    method: Annotated[str, Choice(METHODS), "multi-frequency is complete, zero-order quick"] = (
+    method: Annotated[str, Choice(METHODS), "`multi-frequency` is complete, `zero-order` quick"] = (
         MULTI_FREQUENCY
     )
     measured_spindle: Annotated[
         MeasuredSpindle | None,
-        "with the tool of the case coupled to it, beside the machine as computed "
+        "measured receptances of a spindle, with the tool of the case coupled to them; "
+        "its lobes stand beside those of the computed machine "
         "([how](howto/measured_spindle.md))",
     ] = None
     max_frequency: Annotated[
@@ -157,20 +164,21 @@ class StabilityLobesSpec(Spec):
     speeds: Annotated[
         tuple[TopSpeed, ...],
         Sweep(),
-        "of the limits; the machine is solved anew at each. By default those of the case above 0",
+        "speeds of the limits; the machine is solved at each. By default those of the case above 0",
     ] = ()
     pitch: Annotated[
         tuple[Pitch, ...],
-        "from each tooth to the one that cut before it, in the order in which they cut, 360° "
-        "together (within 0.1°, to which they are scaled); evenly spaced by default",
+        "angles from each tooth to the one that cut before it, in the order in which "
+        "they cut, 360° together (within 0.1°, to which they are scaled); evenly spaced "
+        "by default",
     ] = ()
     cut: Annotated[
         PlannedCut | None,
-        "of which forces, vibration and the error of the milled surface are asked",
+        "planned cut, for which forces, vibration and the error of the milled surface are computed",
     ] = None
     workpiece_modes: Annotated[
         tuple[WorkpieceMode, ...],
-        "of a flexible workpiece, such as a thin wall; rigid by default",
+        "modes of a flexible workpiece, such as a thin wall; rigid by default",
     ] = ()
 
     @property

@@ -228,7 +228,8 @@ def _measured(result: StabilityLobesResult) -> list[str]:
     row = int(np.nanargmin(result.measured))
     line = (
         f"measured   the tool on the measured spindle is stable up to "
-        f"{in_mm(result.measured[row])}, limited at {_rpm(result, row)}"
+        f"{in_mm(result.measured[row])}, limited at {_rpm(result, row)} (chatter at "
+        f"{number(result.measured_chatter[row])} Hz)"
     )
     most, ratio = _largest_difference(result.measured, result.at_rest)
     if ratio > 1.0:
@@ -261,7 +262,8 @@ def accuracy(result: StabilityLobesResult) -> list[str]:
 
 
 def warnings(result: StabilityLobesResult) -> list[str]:
-    """Return warnings of failed speeds, period doubling, missed lobes and missing modes."""
+    """Return warnings of failed speeds, period doubling, missed lobes and missing modes, of the
+    model and of a measurement."""
     sentences = []
     failed = [row for row, word in enumerate(result.cutting_outcome) if word]
     if failed:
@@ -272,7 +274,9 @@ def warnings(result: StabilityLobesResult) -> list[str]:
     growing = np.flatnonzero(_growing(result))
     if growing.size:
         first, hertz = growing[0], result.chatter[growing[0]]
-        what = f"the mode at {number(hertz)} Hz" if hertz > 0.0 else "a motion that does not swing"
+        what = (
+            f"the mode at {number(hertz)} Hz" if hertz > 0.0 else "a motion that does not oscillate"
+        )
         sentences.append(
             "stability_lobes: unstable by itself, without a cut, at "
             f"{growing.size} of {len(result.depth)} speeds of the cutter, first at "
@@ -292,7 +296,10 @@ def warnings(result: StabilityLobesResult) -> list[str]:
             f"vibration that repeats with the pattern of teeth limits {folds.size} of "
             f"{len(result.depth)} speeds, first at {rpm} rpm: zero-order limits do not see it"
         )
-    sentences += _skipped(result) + _flips(result) + planned_summary.warnings(result)
+    if result.measured_doubt:
+        sentences.append(f"stability_lobes: on the measured spindle {result.measured_doubt}")
+    for part in (_beyond_measurement, _skipped, _flips, planned_summary.warnings):
+        sentences += part(result)
     if result.error > result.error_asked:
         percent = f"by {number(100.0 * result.error, 0)} %"
         amount = percent if np.isfinite(result.error) else "from none or to none"
@@ -307,6 +314,21 @@ def warnings(result: StabilityLobesResult) -> list[str]:
             "max_frequency"
         )
     return sentences
+
+
+def _beyond_measurement(result: StabilityLobesResult) -> list[str]:
+    """Return the warning that the cut is limited by chatter above the measured frequencies."""
+    chatter = np.nan_to_num(result.measured_chatter)
+    rows = np.flatnonzero(chatter > result.measured_to)
+    if not rows.size:
+        return []
+    last, highest = number(result.measured_to, 0), number(chatter.max(), 0)
+    return [
+        f"stability_lobes: the spindle is measured to {last} Hz, above which the machine as "
+        f"computed at rest chatters, at up to {highest} Hz, at {rows.size} of {len(chatter)} "
+        f"speeds, first at {_rpm(result, rows[0])}: the limits on the measured spindle there are "
+        "those of the machine as computed: measure beyond that frequency"
+    ]
 
 
 def _skipped(result: StabilityLobesResult) -> list[str]:

@@ -21,7 +21,7 @@ Complex = NDArray[np.complex128]
 
 @typed(InvalidInput, besides=("receptance",))
 def turning_limit(receptance: Callable[[Array], Complex], force: float, speed: float) -> Limit:
-    """Return the width of cut up to which turning is stable: exact, its coefficients are constant.
+    """Return the width of cut up to which turning is stable: exact, as coefficients are constant.
 
     receptance : angular frequencies (f,) > 0 [rad/s] -> (f,) [m/N], motion across the cut surface
         by the cutting force, both directions projected

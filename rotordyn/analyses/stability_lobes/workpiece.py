@@ -25,8 +25,10 @@ class Coefficients(Description):
 class Workpiece(Description):
     """Cutting coefficients of one material by several sources, which differ by up to a factor 2."""
 
-    name: Annotated[str, Key(default=""), "of the material, as reports call it"]
-    coefficients: Annotated[tuple[Coefficients, ...], Items(), "of every source"]
+    name: Annotated[str, Key(default=""), "name of the material in reports"]
+    coefficients: Annotated[
+        tuple[Coefficients, ...], Items(), "cutting coefficients, one entry for each source"
+    ]
 
     @property
     def pairs(self) -> tuple[tuple[float, float], ...]:

@@ -21,5 +21,5 @@ class WorkpieceMode(Description):
     damping: Annotated[WallDamping, "damping ratio"]
     stiffness: Annotated[WallStiffness, "modal stiffness at the cut, in the direction of the mode"]
     direction: Annotated[
-        Angle, "in which it moves, from the feed towards the normal, which is that of a wall"
+        Angle, "direction of its motion, from the feed towards the normal, which is that of a wall"
     ] = 0.5 * math.pi

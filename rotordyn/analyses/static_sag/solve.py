@@ -87,7 +87,7 @@ def _slope(displacement: Array) -> Array:
 
 
 def _on_bar(displacement: Array, gauges: Array) -> Array:
-    """Displacement (usable, gauges, 2) of that straight bar, in front of the section."""
+    """Displacement (usable, gauges, 2) of a straight bar fixed in a section, in front of it."""
     return np.asarray(
         displacement[:, None, DEFLECTION] - gauges[:, None] * _slope(displacement)[:, None]
     )

@@ -10,7 +10,7 @@ from rotordyn.errors import InvalidInput
 from rotordyn.machine.assembly import unknown
 from rotordyn.quantity import Angle, Choice, Eccentricity, Items, Name, Station
 from rotordyn.scene.conditions import Conditions
-from rotordyn.scene.spec import Setting, Spec, held_twice
+from rotordyn.scene.spec import Setting, Spec, redundant_support_faults
 
 GRAVITY = ("-y", "+y", "-z", "+z", "none")
 
@@ -44,7 +44,7 @@ class StaticSagSpec(Spec):
         "distances in front of the point (towards −x) at which a gauge reads, on a straight test "
         "bar; below 0 behind it",
     ] = (0.0,)
-    ring_runouts: Annotated[tuple[RingRunout, ...], "of inner rings; those not named run true"] = ()
+    ring_runouts: Annotated[tuple[RingRunout, ...], "runouts of inner rings; others run true"] = ()
 
     def weight_of(self, conditions: Conditions) -> str:
         """Direction of the weight by which the shaft sags; none along its axis."""
@@ -85,7 +85,7 @@ class StaticSagSpec(Spec):
         from rotordyn.scene.at_rest import on_nodes, require_balance, weight
 
         spindle = setting.spindle
-        if faults := [*held_twice(setting)]:
+        if faults := [*redundant_support_faults(setting)]:
             yield from faults
             return
         mesh, down = station_mesh(spindle), self.weight_of(setting.conditions)

@@ -142,7 +142,7 @@ def _stepped(
 ) -> tuple[Balance, Point, Flags]:
     """Solve for the balance under the second force of ``ends`` from that under the first; returns
     the speeds that converge as well. One step starts from ``guess``; where it fails, curves that
-    begin with a ``slack`` bearing take adaptive substeps, short where the bearing is loaded."""
+    begin with a ``slack`` bearing take adaptive substeps, short where it comes into contact."""
     solved_problem, point, converged = balanced(problem, guess, here, ends[1], alive)
     remaining = alive & ~converged & slack
     if not remaining.any():

@@ -8,7 +8,7 @@ from rotordyn.results.declaration import Absence, coordinate, quantity
 from rotordyn.results.kinds import Array, Words
 
 ALONG = ("speed", "force", "bearing")
-LEFT_OUT = Absence("without the full bearing model")
+WITHOUT_FULL_MODEL = Absence("without the full bearing model")
 NONE = Absence("where no ball is unloaded", beside="unloading_force")
 
 
@@ -29,10 +29,12 @@ class StiffnessResult:
     deflection: Array = quantity("speed", "variant", "force", unit="m", label="deflection")
     tangent: Array = quantity("speed", "variant", unit="N/m", label="tangent stiffness at no load")
     secant: Array = quantity("speed", "variant", unit="N/m", label="secant stiffness at full load")
-    axial_load: Array = quantity(*ALONG, unit="N", label="axial load", absent=(LEFT_OUT,))
-    radial_load: Array = quantity(*ALONG, unit="N", label="radial load", absent=(LEFT_OUT,))
+    axial_load: Array = quantity(*ALONG, unit="N", label="axial load", absent=(WITHOUT_FULL_MODEL,))
+    radial_load: Array = quantity(
+        *ALONG, unit="N", label="radial load", absent=(WITHOUT_FULL_MODEL,)
+    )
     ball_load: Array = quantity(
-        *ALONG, unit="N", label="largest inner load of a ball", absent=(LEFT_OUT,)
+        *ALONG, unit="N", label="largest inner load of a ball", absent=(WITHOUT_FULL_MODEL,)
     )
     unloading_force: Array = quantity(
         "speed",

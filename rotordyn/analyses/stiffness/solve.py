@@ -53,7 +53,7 @@ def solve(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
     force = np.linspace(0.0, spec.max_force, spec.steps + 1)
     rotor = _rotor(scene, spec)
     variants: dict[str, Variant | RadialCurve] = {}
-    rows, outcome = scene.bearing_row[scene.usable], np.where(scene.pushed_away, FALLS, "")
+    rows, outcome = scene.bearing_row[scene.usable], np.where(scene.statically_unstable, FALLS, "")
     curves = partial(_nonlinear, scene.preload, rotor, rows, force, outcome)
     nonlinear = None
     if "nonlinear" in spec.variants or spec.second_stop:
@@ -69,7 +69,7 @@ def solve(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
         variants[SHORT_STOP] = scene.timed(f"stiffness: {SHORT_STOP}", short)
     deflection = np.stack([variant.deflection for variant in variants.values()], axis=1)
     tangent = np.stack([variant.tangent for variant in variants.values()], axis=1)
-    deflection[scene.pushed_away], tangent[scene.pushed_away] = np.nan, np.nan
+    deflection[scene.statically_unstable], tangent[scene.statically_unstable] = np.nan, np.nan
     seats = scene.spindle.seats
     force_lost, ball = np.full((2, len(scene.usable), len(seats)), np.nan)
     loads = np.full((len(scene.usable), len(force), len(seats), 3), np.nan)
@@ -129,7 +129,7 @@ def _outcome(scene: Scene, variants: dict[str, Variant | RadialCurve]) -> tuple[
     """Per speed: why the machine, or else the first variant that fails, has no solution."""
     outcome = list(scene.outcome)
     for place, row in enumerate(scene.usable):
-        if scene.pushed_away[place]:
+        if scene.statically_unstable[place]:
             outcome[row] = FALLS
         rpm = scene.speed[row] * RPM.factor
         for name, variant in variants.items():
@@ -160,7 +160,7 @@ def _short_stop(scene: Scene, spec: StiffnessSpec, force: Array, nonlinear: Radi
         state = with_friction(scene.preload.with_travels(spec.second_stop, rows[affected]))
         speeds = scene.state_speed[rows[affected]]
         rotor = _rotor(scene, spec, state.seat_load(), speeds)
-        outcomes = np.where(scene.pushed_away[affected], FALLS, "")
+        outcomes = np.where(scene.statically_unstable[affected], FALLS, "")
         curve = _nonlinear(state, rotor, np.arange(affected.size), force, outcomes)
         outcomes = np.array(state.outcome, dtype=object)
         buckled = scene.buckled(state.seat_load(), state.seat_stiffness(), speeds)

@@ -22,14 +22,14 @@ class StiffnessSpec(Spec):
 
     point: Annotated[Name, "where the force acts and the deflection is taken"]
     max_force: Annotated[LightLoad, "highest radial force"] = 500.0
-    steps: Annotated[int, Whole(1, MOST_STEPS), "load steps up to it"] = 10
+    steps: Annotated[int, Whole(1, MOST_STEPS), "number of load steps up to it"] = 10
     variants: Annotated[
         tuple[Annotated[str, Choice(VARIANTS)], ...],
         "ways of modelling the bearings ([theory](theory/radial_stiffness.md))",
     ] = VARIANTS
     second_stop: Annotated[
         Mapping[Name, Travel],
-        "other stop travels by sleeve, computed as one more (nonlinear) variant",
+        "other stop travels by sleeve, computed as an additional (nonlinear) variant",
     ] = field(default_factory=dict)
 
     def _faults(self) -> Faults:

@@ -68,7 +68,7 @@ def warnings(result: ThermalPreloadResult) -> Iterator[str]:
 
 
 def _least_unsolved(result: ThermalPreloadResult) -> Array:
-    """Difference of least amount without a state [K], at every speed that has a state otherwise;
+    """Difference of least amount without a state [K], at every speed with a state in the case;
     NaN where all differences have one."""
     least = np.full(len(result.speed), np.nan)
     for row, outcome in enumerate(result.outcome):

@@ -10,7 +10,7 @@ from rotordyn.results.kinds import Array, Words
 
 MILLISECOND = Shown("ms", 1e3)
 OPEN = Absence("of a sleeve without a stop, or whose stop stays closed", by=("speed", "sleeve"))
-ENDED = Absence("from the time on at which the answer ends", by=("speed", "time"))
+ENDED = Absence("from the time on at which the response ends", by=("speed", "time"))
 POINT, BEARING, SLEEVE = ("speed", "point"), ("speed", "bearing"), ("speed", "sleeve")
 
 
@@ -26,9 +26,9 @@ class TimeResponseResult:
     ``unloaded_time``: total time in which the inner race loads no ball of a bearing.
     ``gap``: of end stops, below zero where one is compressed, or, if stops stay as they are in the
     preload state, where an open one would close; ``stop_gap``: its least value; ``stop_force``:
-    the largest force of a stop that closes. ``holding``: largest force over the limit of the stop
-    or the dry friction that holds a sleeve; above 1 it would move. ``ended``: time up to which the
-    motion is solved, and ``ending`` why it ends.
+    the largest force of a stop that closes. ``holding``: largest force over that which presses a
+    sleeve on a closed stop, or over the limit of the dry friction that holds it; above 1 it would
+    move. ``ended``: time up to which the motion is solved, and ``ending`` why it ends.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
@@ -39,7 +39,7 @@ class TimeResponseResult:
     sleeve: Words = coordinate("sleeve", unit="", label="sleeve")
     force: Words = coordinate("force", unit="", label="force")
     outcome: Words = quantity("speed", unit="", label="outcome")
-    ended: Array = quantity("speed", unit="s", label="end of the answer", printed=MILLISECOND)
+    ended: Array = quantity("speed", unit="s", label="end of the response", printed=MILLISECOND)
     ending: Words = quantity("speed", unit="", label="why it ends early")
     applied: Array = quantity("time", "force", unit="N", label="applied force")
     displacement: Array = quantity(
@@ -62,7 +62,7 @@ class TimeResponseResult:
         *POINT,
         unit="m",
         label="largest displacement in the last quarter of the time",
-        absent=(Absence("where the answer ends before", by=("speed",)),),
+        absent=(Absence("where the response ends before", by=("speed",)),),
     )
     largest_time: Array = quantity(
         *POINT, unit="s", label="time of the largest displacement", printed=MILLISECOND

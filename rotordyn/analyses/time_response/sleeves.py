@@ -1,6 +1,6 @@
 """Gaps and forces of end stops over time, and margins of sleeves to stops and to sliding.
 
-The response omits motion of stops that stay as they are, and sliding against dry friction.
+The response neglects that other stops may close or open, and sliding against dry friction.
 """
 
 from __future__ import annotations

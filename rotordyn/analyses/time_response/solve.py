@@ -92,8 +92,8 @@ def _require(equation: Equation, steps: int, seats: int) -> None:
 
 
 def _linear(spec: TimeResponseSpec, scene: Scene) -> Motion:
-    """Return motion of the linear machine, in half the usual steps; its error is the change by a
-    finer model in half of those."""
+    """Return motion of the linear machine, in steps of half the usual length; its error is the
+    change by a finer model in steps half as long again."""
     equation, count = Equation.of(scene, spec), spec.samples - 1
     path = _path(scene, spec, equation, count).every(2)
     if not scene.checks.wanted:

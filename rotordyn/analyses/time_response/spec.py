@@ -43,18 +43,20 @@ class ForceOverTime(Description):
 
     at: Annotated[At, "where it acts: a point or station"]
     direction: Annotated[str, Choice(DIRECTIONS), "along which axis it acts"]
-    name: Annotated[OptionalName, "in results; by default its number"] = ""
-    force: Annotated[Force | None, "or the amplitude of a sine, a half sine"] = None
+    name: Annotated[OptionalName, "name in results; by default its number"] = ""
+    force: Annotated[Force | None, "constant force, or the amplitude of a sine or half sine"] = None
     start: Annotated[Instant, "when it begins"] = 0.0
     end: Annotated[LastInstant, "when it ends"] = math.inf
-    frequency: Annotated[Frequency | None, "of a sinusoidal force"] = None
-    phase: Annotated[Angle, "of a sinusoidal force at its start; 90° of a cosine"] = 0.0
+    frequency: Annotated[Frequency | None, "frequency of a sinusoidal force"] = None
+    phase: Annotated[Angle, "phase of a sinusoidal force at its start; 90° for a cosine"] = 0.0
     pulse: Annotated[TimeSpan | None, "duration of a half sine"] = None
-    period: Annotated[TimeSpan | None, "from the start of one half sine to that of the next"] = None
-    times: Annotated[tuple[Instant, ...], "of a table, ascending"] = ()
+    period: Annotated[
+        TimeSpan | None, "time from the start of one half sine to that of the next"
+    ] = None
+    times: Annotated[tuple[Instant, ...], "times of a table, ascending"] = ()
     forces: Annotated[
         tuple[Force, ...],
-        "of a table, one for each of `times`; zero before the first and after the last",
+        "forces of a table, one for each of `times`; zero before the first and after the last",
     ] = ()
 
     def _faults(self) -> Faults:
@@ -102,19 +104,19 @@ class TimeResponseSpec(Spec):
     tangent. The machine begins in its preload state, on the steady orbit of its unbalances.
     """
 
-    duration: Annotated[TimeSpan, "length of time that is computed"]
+    duration: Annotated[TimeSpan, "simulated time"]
     max_frequency: Annotated[
         Frequency,
         "up to which the machine is modelled; forces have none above it, and results are given "
         f"{SAMPLES} times in its period",
     ]
     points: Annotated[tuple[PointName, ...], Items(), "where motion is given"]
-    forces: Annotated[tuple[ForceOverTime, ...], "on the shaft"] = ()
-    unbalances: Annotated[tuple[Unbalance, ...], "at points or stations"] = ()
+    forces: Annotated[tuple[ForceOverTime, ...], "forces on the shaft"] = ()
+    unbalances: Annotated[tuple[Unbalance, ...], "unbalances at points or stations"] = ()
     stop_stiffness: Annotated[
         StopStiffness | None,
-        "of the end stops of sleeves, which close and open with it; without it they stay as they "
-        "are in the preload state",
+        "stiffness of the end stops of sleeves, which then close and open during the "
+        "response; without it they stay as in the preload state",
     ] = None
 
     @property

@@ -11,7 +11,7 @@ from rotordyn.machine.assembly import misnamed, unknown
 from rotordyn.machine.spindle import Spindle
 from rotordyn.quantity import Duration, Items, PointName
 from rotordyn.scene.loads import BalanceGrade, EccentricSpan, Unbalance
-from rotordyn.scene.spec import Setting, Spec, placed, spanned, turning
+from rotordyn.scene.spec import Setting, Spec, placed, span_faults, turning
 from rotordyn.units import format_quantity
 
 
@@ -23,8 +23,10 @@ class UnbalanceSpec(Spec):
     """
 
     points: Annotated[tuple[PointName, ...], Items(), "where motion is given"]
-    unbalances: Annotated[tuple[Unbalance, ...], "at points or stations"] = ()
-    spans: Annotated[tuple[EccentricSpan, ...], "lengths of shaft off their axis"] = ()
+    unbalances: Annotated[tuple[Unbalance, ...], "unbalances at points or stations"] = ()
+    spans: Annotated[
+        tuple[EccentricSpan, ...], "spans of the shaft whose centre of mass is off the axis"
+    ] = ()
     grade: Annotated[
         BalanceGrade | None,
         "residual unbalance by balance quality grade, added to the others",
@@ -34,7 +36,7 @@ class UnbalanceSpec(Spec):
         "times in which the speed rises evenly from the first to the last one of the case, past "
         "its resonances: the motion of the points on the way",
     ] = ()
-    run_down: Annotated[tuple[Duration, ...], "the same, falling"] = ()
+    run_down: Annotated[tuple[Duration, ...], "run-down times, likewise"] = ()
 
     def _faults(self) -> Faults:
         yield from repeated("points", self.points)
@@ -62,7 +64,7 @@ class UnbalanceSpec(Spec):
         for index, unbalance in enumerate(self.unbalances):
             yield from placed(unbalance.at, spindle, ("unbalances", index, "at"), rotors=True)
         for index, span in enumerate(self.spans):
-            yield from spanned(span.start, span.to, spindle, ("spans", index), rotors=True)
+            yield from span_faults(span.start, span.to, spindle, ("spans", index), rotors=True)
         if self.grade is not None:
             yield from _plane_faults(self.grade, spindle)
         yield from self._speed_faults(spindle)
@@ -110,7 +112,7 @@ def run_name(time: float) -> str:
 
 
 def _plane_faults(grade: BalanceGrade, spindle: Spindle) -> Faults:
-    """Check that planes are on one rotor, two on both sides of its centre of gravity."""
+    """Check that planes are on one rotor; of two, one on either side of its centre of gravity."""
     path = ("grade", "planes")
     faults = [
         fault

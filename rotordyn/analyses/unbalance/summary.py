@@ -14,7 +14,7 @@ from rotordyn.results.display import GRAM_MILLIMETRE, MICROMETRE, RPM, number, r
 from rotordyn.results.headline import Number
 from rotordyn.results.text import unbroken
 from rotordyn.scene.hardly_damped import LIGHT, hardly_damped
-from rotordyn.scene.linearity import beyond_tangents
+from rotordyn.scene.linearity import tangent_warnings
 from rotordyn.scene.stability import how_it_grows
 
 Array = NDArray[np.float64]
@@ -120,7 +120,7 @@ def _at_speed(result: UnbalanceResult, values: Array) -> str:
 
 
 def _backward(result: UnbalanceResult) -> list[str]:
-    """Return the line of speeds with orbits against the spindle, as the rotor itself may turn."""
+    """Return the line of speeds with orbits against the spindle; the rotor itself may turn so."""
     at_rest = result.fine_major_axis == 0.0  # which has the sense of whirl of the next speed
     excess = -result.fine_minor_axis / np.where(at_rest, np.nan, result.fine_major_axis) - STRAIGHT
     excess[0] = np.where(at_rest[0], excess[min(1, len(excess) - 1)], excess[0])
@@ -173,7 +173,7 @@ def accuracy(result: UnbalanceResult) -> list[str]:
 def warnings(result: UnbalanceResult) -> list[str]:
     """Return warnings of loads beyond tangents, films, light damping, runs and errors."""
     curves = result.support, result.fine_speed, result.fine_departure
-    sentences = [*beyond_tangents("unbalance", *curves)]
+    sentences = [*tangent_warnings("unbalance", *curves)]
     sentences += _films(result)
     sentences += _hardly_damped(result)
     sentences += _run_warnings(result)
@@ -199,7 +199,7 @@ def _run_warnings(result: UnbalanceResult) -> Iterator[str]:
         if at.size:
             where = f"on the run {name}, {_from_to(at.min(), at.max())}"
             what = f"unbalance: at the largest forces of bearings {where}"
-            yield from beyond_tangents(what, result.support, None, departures[None])
+            yield from tangent_warnings(what, result.support, None, departures[None])
     ranges = zip(result.unstable_from, result.unstable_to, result.unstable_pole, strict=True)
     highest = result.model_frequency
     grows = [f"{_from_to(*ends)} it {how_it_grows(pole, highest)}" for *ends, pole in ranges]
@@ -243,7 +243,8 @@ def _hardly_damped(result: UnbalanceResult) -> Iterator[str]:
 
 
 def _highest_critical(result: UnbalanceResult) -> Iterator[int | None]:
-    """Yield for each point the index of the critical speed at its highest finite peak, or None."""
+    """Yield for each point the index of the critical speed at its highest peak, or None: there is
+    no such speed, no peak, or an infinite one."""
     for speed, height in zip(result.peak_speed, result.peak_amplitude, strict=True):
         if not np.isfinite(height).any() or np.isinf(height).any():
             yield None

@@ -11,6 +11,7 @@ OVER = ("speed", "time", "bearing")
 BY = ("speed", "bearing")
 LATER = Absence("after its end, where it ends early", last="time")
 UNBALANCED = Absence("where temperatures reach no balance", by=BY)
+UNFITTED = Absence("for rings without a fit that presses as mounted", by=("bearing",))
 NONE_THROUGH = Absence("where every speed ends early")
 ENOUGH = 1.0  # K: largest change by the last halving, small against the error of all hypotheses
 
@@ -21,7 +22,8 @@ class WarmUpResult:
 
     ``ended`` [s]: the last instant with values, ``ending`` why it is not the end of the duration.
     ``axial_load`` in the frame of a bearing, below 0 where one that carries both directions is
-    loaded from the other side; ``largest_load`` its amount at ``largest_time``; ``steady_load``,
+    loaded from the other side; ``…_fit_pressure``: 0 where a ring is loose; ``largest_load``
+    its amount at ``largest_time``; ``steady_load``,
     ``steady_…``: in thermal balance; ``unbalanced``: why there is none. ``error``: largest change
     of a temperature by halving the steps [K], of speeds that do not end early.
     """
@@ -45,6 +47,21 @@ class WarmUpResult:
     shaft_temperature: Array = quantity("time", unit="degC", label="temperature of the shaft")
     housing_temperature: Array = quantity("time", unit="degC", label="temperature of the housing")
     heat: Array = quantity(*OVER, unit="W", label="heat", absent=(LATER,))
+    inner_fit_pressure: Array = quantity(
+        *OVER, unit="Pa", label="pressure of the inner ring on the shaft", absent=(LATER, UNFITTED)
+    )
+    outer_fit_pressure: Array = quantity(
+        *OVER,
+        unit="Pa",
+        label="pressure of the outer ring in the housing",
+        absent=(LATER, UNFITTED),
+    )
+    ring_stress: Array = quantity(
+        *OVER,
+        unit="Pa",
+        label="Tresca stress of the inner ring by its fit",
+        absent=(LATER, UNFITTED),
+    )
     largest_load: Array = quantity(*BY, unit="N", label="largest axial load")
     largest_time: Array = quantity(*BY, unit="s", label="time of the largest axial load")
     steady_load: Array = quantity(

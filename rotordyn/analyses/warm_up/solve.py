@@ -12,7 +12,10 @@ from bearings.heat.temperature import Surroundings
 from rotordyn.allowance import require_history, require_time
 from rotordyn.analyses.warm_up.result import ENOUGH, WarmUpResult
 from rotordyn.analyses.warm_up.spec import WarmUpSpec
-from rotordyn.preload.heat_balance import Flow, cold
+from rotordyn.arrays import Array
+from rotordyn.preload.fit_pressure import fit_pressure
+from rotordyn.preload.heat_balance import Flow, cold, tables
+from rotordyn.preload.ring_stress import ring_stress
 from rotordyn.preload.warming import Begin, SurroundingsAt, Warming, warming
 from rotordyn.scene.scene import Scene
 
@@ -51,7 +54,7 @@ def solve(scene: Scene, spec: WarmUpSpec) -> WarmUpResult:
         if (error <= ENOUGH and converged.all()) or steps >= MOST_STEPS:
             break
     error = error if through.any() else math.nan
-    return _result(scene, fine, error, surroundings_at)
+    return _result(scene, fine, error, surroundings_at, heat.flow)
 
 
 def _watch(scene: Scene, steps: int) -> Callable[[int], None]:
@@ -98,8 +101,23 @@ def ball_capacity(bearing: BallBearing) -> float:
     return mass * (CERAMIC if density < LIGHT else STEEL)
 
 
+def _fits(scene: Scene, run: Warming, surroundings_at: SurroundingsAt, flow: Flow) -> Array:
+    """Return the pressure of inner and outer rings on their seats, and the stress of inner rings,
+    at every instant (3, speeds, t, bearings) [Pa]; NaN where there is none."""
+    names = tuple(seat.name for seat in scene.spindle.seats)
+    values = np.full((3, *run.load.shape), np.nan)
+    for k, time in enumerate(run.time.tolist()):
+        rows = ~np.isnan(run.load[:, k, 0])
+        speed, now = scene.speed[rows], flow._replace(surroundings=surroundings_at(time))
+        if speed.size:
+            warm = tables(run.temperature[rows, k], speed, names, now)
+            machine = scene.spindle, speed, warm
+            values[:, rows, k] = [*fit_pressure(*machine), ring_stress(*machine)]
+    return values
+
+
 def _result(
-    scene: Scene, run: Warming, error: float, surroundings_at: SurroundingsAt
+    scene: Scene, run: Warming, error: float, surroundings_at: SurroundingsAt, flow: Flow
 ) -> WarmUpResult:
     seats = scene.spindle.seats
     lost = np.isnan(run.load[:, 0, 0]).tolist()
@@ -119,6 +137,7 @@ def _result(
         )
     }
     balls, inner, outer = np.moveaxis(run.temperature, -1, 0)
+    inner_pressure, outer_pressure, stress = _fits(scene, run, surroundings_at, flow)
     shaft, housing, _ = np.array([surroundings_at(t) for t in run.time.tolist()]).T
     return WarmUpResult(
         speed=scene.speed,
@@ -128,6 +147,9 @@ def _result(
         ended=run.time[run.last],
         ending=run.ending,
         axial_load=run.load,
+        inner_fit_pressure=inner_pressure,
+        outer_fit_pressure=outer_pressure,
+        ring_stress=stress,
         ball_temperature=balls,
         inner_temperature=inner,
         outer_temperature=outer,

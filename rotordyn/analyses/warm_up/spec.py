@@ -18,7 +18,7 @@ class WarmUpSpec(Spec):
     so have shaft and housing, or they approach it with time constants.
     """
 
-    duration: Annotated[Duration, "length of time that is computed"]
+    duration: Annotated[Duration, "simulated time"]
     inner: Annotated[
         HeatCapacity, "heat capacity of an inner ring with the part of the shaft that warms with it"
     ]
@@ -33,15 +33,17 @@ class WarmUpSpec(Spec):
     ] = None
     start: Annotated[
         CoolTemperature | None,
-        "of balls and rings at the start; by default where shaft, housing and oil bring them "
-        "without heat",
+        "temperature of balls and rings at the start; by default the balance with "
+        "shaft, housing and oil without heat",
     ] = None
     shaft_time_constant: Annotated[
         Duration | None,
         "time constant of the shaft: after it 63 % of the way from `start` to its temperature is "
         "covered, on which its length depends; by default it has that from the start",
     ] = None
-    housing_time_constant: Annotated[Duration | None, "the same of the housing"] = None
+    housing_time_constant: Annotated[Duration | None, "time constant of the housing, likewise"] = (
+        None
+    )
 
     def faults_on(self, setting: Setting) -> Faults:
         if setting.conditions.heat_flow is None:

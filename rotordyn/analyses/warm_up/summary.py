@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from rotordyn.analyses.warm_up.result import ENOUGH, WarmUpResult
+from rotordyn.preload.ring_stress import YIELD
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM
 from rotordyn.results.headline import Number, each_speed
@@ -92,7 +93,7 @@ def accuracy(result: WarmUpResult) -> list[str]:
 
 
 def warnings(result: WarmUpResult) -> Iterator[str]:
-    """Yield warnings of early ends, long steps, load maxima and missing thermal balance."""
+    """Yield warnings of early ends, long steps, load maxima, fits and missing thermal balance."""
     for row, why in enumerate(result.ending):
         if why and not result.outcome[row]:
             yield f"at {_rpm(result, row)} {why}"
@@ -102,6 +103,8 @@ def warnings(result: WarmUpResult) -> Iterator[str]:
             "loads with them: take a shorter duration"
         )
     yield from _overshoot(result)
+    yield from _loose_rings(result)
+    yield from _yielding_rings(result)
     yield from _unbalanced(result)
     yield from _still_warming(result)
 
@@ -162,6 +165,46 @@ def _overshoot(result: WarmUpResult) -> Iterator[str]:
         f"{in_words(result.largest_time[row, k])} after the start at {_rpm(result, row)}, "
         f"{share[row, k]:.2g} times that of the warm spindle{also}: pressure, friction and life "
         "are worse there than in the steady state; warm it up at lower speeds, or take springs"
+    )
+
+
+def _loose_rings(result: WarmUpResult) -> Iterator[str]:
+    """Yield a warning of the inner rings, and one of the outer rings, that lose their fit on the
+    way: that which is loose longest, with the others."""
+    for ring, pressure, part in (
+        ("inner", result.inner_fit_pressure, "shaft"),
+        ("outer", result.outer_fit_pressure, "housing"),
+    ):
+        loose = pressure <= 0.0  # not where it is NaN
+        first, last = loose.argmax(axis=1), loose.shape[1] - 1 - loose[:, ::-1].argmax(axis=1)
+        length = np.where(loose.any(axis=1), result.time[last] - result.time[first], -1.0)
+        if length.max(initial=-1.0) < 0.0:
+            continue
+        row, k = (int(place) for place in np.unravel_index(int(length.argmax()), length.shape))
+        begin, end = (in_words(result.time[at[row, k]]) for at in (first, last))
+        others = [
+            name for j, name in enumerate(result.bearing) if j != k and (length[:, j] >= 0.0).any()
+        ]
+        also = f" (so, no longer, {', '.join(others)})" if others else ""
+        on = last[row, k] == _last(result, row)
+        when = f"from {begin} after the start on" if on else f"{begin} to {end} after the start"
+        yield (
+            f"bearing {result.bearing[k]}: the fit of its {ring} ring lets go while it warms up, "
+            f"{when} at {_rpm(result, row)}{also}; there the ring grows without the {part}: raise "
+            "its interference, or warm it up at lower speeds"
+        )
+
+
+def _yielding_rings(result: WarmUpResult) -> Iterator[str]:
+    """Yield a warning of the inner ring that its fit stresses most, where it yields."""
+    stress = np.nan_to_num(result.ring_stress)
+    if stress.max(initial=0.0) <= YIELD:
+        return
+    row, at, k = (int(place) for place in np.unravel_index(int(stress.argmax()), stress.shape))
+    yield (
+        f"bearing {result.bearing[k]}: its inner ring yields under its fit while it warms up, "
+        f"{stress[row, at, k] / 1e6:.0f} MPa after Tresca {in_words(result.time[at])} after the "
+        f"start at {_rpm(result, row)}, allowed {YIELD / 1e6:g}; lower the interference"
     )
 
 

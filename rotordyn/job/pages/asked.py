@@ -23,7 +23,7 @@ MOST = 12  # variants whose curves a page shows
 
 
 def analysis_blocks(parts: Sequence[Part]) -> Iterator[tuple[str, Block]]:
-    """Yield section and block of every analysis, in the order of the case."""
+    """Yield section and block of every analysis, in the order of their places."""
     for name in in_order(*(part.results for part in parts)):
         record = analysis(name)
         title = record.title or name.replace("_", " ").capitalize()

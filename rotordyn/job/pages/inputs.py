@@ -20,7 +20,7 @@ from rotordyn.results.display import RPM
 from rotordyn.units import parse_unit
 
 APART = ("name", "title", "references", "note")
-LONGEST = 90  # of a value in a table
+LONGEST = 110  # of a value in a table
 Row = tuple[str, str, str]
 
 

@@ -131,7 +131,7 @@ def _band_chart(of: str, part: Part, held: Interval, curves: list[tuple[Curve, i
 
 
 def _drawable(values: Array, curve: Curve) -> Array:
-    """Values that can be drawn: positive on a logarithmic axis, infinite ones just beyond it."""
+    """Values to draw: positive on a logarithmic axis, and up to ``FAR`` times the ceiling."""
     values = np.minimum(values, FAR * curve.ceiling)
     return np.where(values > 0.0, values, np.nan) if curve.log else values
 

@@ -148,9 +148,8 @@ def _at(of: Responses, trial: Trial, speed: float) -> Iterator[Mode]:
     inside = (omega[0] < pole.imag) & (pole.imag < omega[-1])
     unpaired = [j for j in np.flatnonzero(inside).tolist() if j not in columns]
     height = {j: _height(of, speed, complex(pole[j]), residue[j]) for j in unpaired}
-    offset = width**2 / (
-        4.0 * np.abs(pole.real)
-    )  # how far off a pole fitted to two like ones may be
+    # how far off a pole fitted to two like ones may be
+    offset = width**2 / (4.0 * np.abs(pole.real))
     reach = WIDTHS * np.add.outer(np.abs(known.real), np.abs(pole.real))
     near = np.abs(np.subtract.outer(known, pole)) < reach
     for k in np.argsort(known.imag).tolist():

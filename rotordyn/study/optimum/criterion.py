@@ -126,7 +126,7 @@ class Criterion:
         values = np.abs(values) if np.iscomplexobj(values) else values.astype(float)
         written = {dim: _written(result, dim) for dim in dims}
         units = _units(result, name)
-        others = dict(analysis(self.analysis).unlisted(result))
+        others = dict(analysis(self.analysis).missing_entries(result))
         for coordinate, asked in self.where.items():
             if coordinate not in dims:
                 raise InvalidInput(

@@ -179,9 +179,9 @@ def _read(
     problem: Problem, place: Place, case: Case, neighbours: Neighbours | None = None
 ) -> Trial:
     """Solve a case and read its goals and limits."""
-    answers, _ = (neighbours or Neighbours()).solve(case)
-    goals = [(goal, goal.criterion.read(case, answers.results)) for goal in problem.goals]
-    limits = [(limit, limit.criterion.read(case, answers.results)) for limit in problem.limits]
+    machine, _ = (neighbours or Neighbours()).solve(case)
+    goals = [(goal, goal.criterion.read(case, machine.results)) for goal in problem.goals]
+    limits = [(limit, limit.criterion.read(case, machine.results)) for limit in problem.limits]
     margins = [limit.margin(reading) for limit, reading in limits]
     return Trial(
         place,
@@ -190,8 +190,8 @@ def _read(
         readings=tuple(value for _, value in margins),
         units=tuple(reading.unit for _, reading in (*goals, *limits)),
         absent=tuple(reading.absent for _, reading in (*goals, *limits)),
-        sentence="; ".join(dict.fromkeys((*unsolved(answers.results), *_early(answers.results)))),
-        warnings=(*answers.warnings, *result_warnings(answers.results)),
+        sentence="; ".join(dict.fromkeys((*unsolved(machine.results), *_early(machine.results)))),
+        warnings=(*machine.warnings, *result_warnings(machine.results)),
     )
 
 

@@ -13,7 +13,7 @@ import rotordyn
 from rotordyn.analyses import registry
 from rotordyn.analyses.frf.uff import write_uff
 from rotordyn.analyses.on_measured import OnMeasured
-from rotordyn.analyses.stability_lobes import converged
+from rotordyn.analyses.stability_lobes import converged, measured_tip
 from rotordyn.analyses.stability_lobes.measured_tip import MeasuredTip
 from rotordyn.analyses.stability_lobes.modal import of_workpiece
 from rotordyn.analyses.stability_lobes.workpiece_mode import WorkpieceMode
@@ -62,7 +62,7 @@ def pairs(way):
 
 @pytest.fixture(scope="module")
 def tested(tmp_path_factory):
-    """A folder with the responses of a blank, in both planes: the UFF file of a run, a table."""
+    """A folder with the responses of a blank, in both planes: the UFF file of a run, tables."""
     folder = tmp_path_factory.mktemp("tested")
     respond(folder, BLANK, "tap.uff", "noisy.csv")
     (folder / "blank_tool.yaml").write_text(blank_file(BLANK), encoding="utf-8")
@@ -70,7 +70,8 @@ def tested(tmp_path_factory):
 
 
 def respond(folder, blank, exact, noisy):
-    """Responses of the machine with a blank: a UFF file, and a table with 1 % of noise."""
+    """Responses of the machine with a blank: a UFF file, a table of the same, and one with 1 % of
+    noise."""
     every = ", ".join(pairs("y") + pairs("z"))
     asked = f"speeds: [0 rpm]\nanalyses:\n  frf: {{frequencies: {BAND}, pairs: [{every}]}}\n"
     path = folder / "blank.yaml"
@@ -78,18 +79,24 @@ def respond(folder, blank, exact, noisy):
     loaded = rotordyn.load(path)
     known = solve(loaded).results["frf"]
     write_uff(folder / exact, known, case="blank", places=loaded.spindle.places)
-    heads = ["frequency [Hz]"]
-    columns = [known.frequency]
-    rng = np.random.default_rng(20)
-    for k, name in enumerate(known.pair):
-        values = known.receptance[0, k]
-        noise = rng.normal(size=(2, len(values))) / np.sqrt(2.0)
-        values = values * (1.0 + 0.01 * (noise[0] + 1j * noise[1]))
-        heads += [f"{name} real [m/N]", f"{name} imaginary [m/N]"]
-        columns += [values.real, values.imag]
-    rows = [", ".join(heads)]
-    rows += [", ".join(f"{value:.9g}" for value in row) for row in np.array(columns).T]
-    (folder / noisy).write_text("\n".join(rows) + "\n", encoding="utf-8")
+    noise = unit_noise(20, known.receptance[0].shape)
+    for file, share in ((f"exact_{noisy}", 0.0), (noisy, 0.01)):
+        heads = ["frequency [Hz]"]
+        columns = [known.frequency]
+        given = known.receptance[0] * (1.0 + share * noise)
+        for name, values in zip(known.pair, given, strict=True):
+            heads += [f"{name} real [m/N]", f"{name} imaginary [m/N]"]
+            columns += [values.real, values.imag]
+        rows = [", ".join(heads)]
+        rows += [", ".join(f"{value:.12g}" for value in row) for row in np.array(columns).T]
+        (folder / file).write_text("\n".join(rows) + "\n", encoding="utf-8")
+
+
+def unit_noise(seed, shape):
+    """Complex normal numbers (…, f) of mean square 1."""
+    rng = np.random.default_rng(seed)
+    real, imaginary = rng.normal(size=(*shape[:-1], 2, shape[-1])).swapaxes(0, -2)
+    return (real + 1j * imaginary) / np.sqrt(2.0)
 
 
 def blank_file(blank):
@@ -168,6 +175,88 @@ def test_error_by_noise(tested):
     assert "uncertain by" in " ".join(result.summary.split())
 
 
+OMEGA = 2.0 * np.pi * np.arange(60.0, 4001.0, 10.0)
+
+
+def on(folder, given):
+    """The tool on a measured spindle."""
+    loaded = case(folder, frf(given))
+    return OnMeasured(loaded.analyses["frf"].measured_spindle, loaded.spindle)
+
+
+def test_the_floor_of_an_accelerometer_does_not_hide_the_spindle(tested):
+    """0.1 % of the peak inertance, which is more than the receptance below 100 Hz: the tip is near
+    to that of exact responses, by as much as is said."""
+
+    def with_floor(values):
+        square = OMEGA[:, None] ** 2
+        floor = 1e-3 * np.abs(values * square).max(axis=0) / square
+        noise = [unit_noise(seed, values.T.shape).T for seed in (5, 6)]
+        return values + floor * noise[0] + 3e-3 * np.abs(values) * noise[1]
+
+    given = turned(tested, "floor.csv", of=with_floor, source="exact_noisy.csv")
+    machine, exact = on(tested, given), on(tested, measured(more="modes: 6, "))
+    tip, known = machine.tip("y", OMEGA), exact.tip("y", OMEGA)
+    off = np.linalg.norm(tip - known) / np.linalg.norm(known)
+    said = np.linalg.norm(machine.error("y", OMEGA)) / np.linalg.norm(tip)
+    assert off < 0.05
+    assert 0.3 < said / off < 3.0
+    assert not machine.doubt("y")
+
+
+def test_errors_of_calibration_are_those_of_changed_gains_and_phases(tested):
+    """Of one response after the other, by 0.01 % and by 0.1 mrad."""
+    same = on(tested, measured("exact_noisy.csv", more="modes: 6, "))
+    tip = same.tip("y", OMEGA)
+    for error in (1e-4, 1e-4j):
+        square = np.zeros(len(OMEGA))
+        for k in range(3):
+            values = same.fits["y"](OMEGA)
+            values[:, k] *= 1.0 + error
+            square += np.abs(same._tip(values, *same._parts(OMEGA)) - tip) ** 2
+        change = np.sqrt(square) / abs(error)
+        np.testing.assert_allclose(same.calibration("y", OMEGA) / change, 1.0, atol=0.1)
+
+
+@pytest.mark.parametrize("delay", [0.0, 2e-5])
+def test_a_tip_of_no_passive_structure_is_warned_of(tested, delay, monkeypatch):
+    """By channels whose delay of 20 µs differs from that of the force; their noise is small."""
+    monkeypatch.setattr(converged, "_change", lambda *_: 0.0)  # no finer models: they take longest
+    monkeypatch.setattr(measured_tip, "FURTHER", 2)  # in vain
+    given = turned(
+        tested,
+        "late.csv",
+        of=lambda h: h * np.exp(-1j * delay * OMEGA)[:, None],
+        source="exact_noisy.csv",
+    )
+    given = given.replace("{", "{modes: 6, ", 1)
+    results = rotordyn.run(case(tested, frf(given)))
+    sentence = "the tip is that of no passive structure"
+    assert (sentence in " ".join(results.summary.split())) == (delay > 0.0)
+    if delay:
+        asked = (
+            "  stability_lobes: {point: tip, teeth: 2, diameter: 16 mm, tangential: 600 MPa, "
+            "radial: 200 MPa, speeds: [9000 rpm], max_frequency: 5000 Hz, method: zero-order, "
+            f"measured_spindle: {given}}}\n"
+        )
+        with pytest.raises(InvalidInput, match=f"no sum of damped modes .*; in y {sentence}"):
+            rotordyn.run(case(tested, asked, speeds="[0 rpm, 9000 rpm]"))
+
+
+@pytest.mark.parametrize("way", ["y", "z"])
+def test_errors_of_the_peaks_of_the_tip_are_those_of_noise(tested, way):
+    """A mode fitted to the smooth tip left errors far below what noise does to its peaks."""
+    noisy, exact = (
+        rotordyn.run(case(tested, frf(given, way)))["frf"]
+        for given in (measured("noisy.csv"), measured(more="modes: 6, "))
+    )
+    said = noisy.measured_peak_error.values[0]
+    off = noisy.measured_peak_amplitude.values[0] / exact.measured_peak_amplitude.values[0] - 1.0
+    known = np.isfinite(off)
+    assert known.sum() >= 2
+    assert 0.3 < np.linalg.norm(said[known]) / np.linalg.norm(off[known]) < 3.0
+
+
 def test_peaks_of_the_tip_are_found_between_the_frequencies_of_the_measurement(tested):
     """With exact responses those of the machine itself."""
     result = rotordyn.run(case(tested, frf(measured(more="modes: 6, "))))["frf"]
@@ -197,6 +286,30 @@ def test_limits_on_the_measured_spindle_are_those_of_the_machine_at_rest(tested,
         ratio = result.measured.values / result.at_rest.values
         np.testing.assert_allclose(ratio, 1.0, atol=0.03)
         assert "the tool on the measured spindle is stable up to" in results.summary
+
+
+def test_chatter_above_the_measured_frequencies_limits_the_cut_as_the_model_says(
+    tested, monkeypatch
+):
+    """The mode of the tool at 3829 Hz is above a measurement that ends at 2200 Hz."""
+    monkeypatch.setattr(converged, "_change", lambda *_: 0.0)  # no finer models: they take longest
+    head, *rows = (tested / "exact_noisy.csv").read_text(encoding="utf-8").splitlines()
+    below = [row for row in rows if float(row.split(",")[0]) <= 2200.0]
+    (tested / "below.csv").write_text("\n".join([head, *below]) + "\n", encoding="utf-8")
+    sentence = "the spindle is measured to 2200 Hz, above which the machine as computed at rest"
+    for file, last in (("exact_noisy.csv", 4000.0), ("below.csv", 2200.0)):
+        asked = (
+            "  stability_lobes: {point: tip, teeth: 2, diameter: 16 mm, tangential: 600 MPa, "
+            "radial: 200 MPa, milling: up, immersion: 0.5, max_frequency: 5000 Hz, feed: 20 deg, "
+            "speeds: {from: 8000 rpm, to: 20000 rpm, count: 7}, method: zero-order, "
+            f"measured_spindle: {measured(file, more='modes: 6, ')}}}\n"
+        )
+        results = rotordyn.run(case(tested, asked, speeds="[0 rpm, 20000 rpm]"))
+        result = results["stability_lobes"]
+        assert (result.measured.values < 1.01 * result.at_rest.values).all()
+        np.testing.assert_allclose(result.measured_chatter.values, 3850.0, atol=70.0)
+        assert float(result.measured_to) == pytest.approx(last)
+        assert (sentence in " ".join(results.summary.split())) == (last < 3829.0)
 
 
 def base(seed):
@@ -401,13 +514,13 @@ def test_a_band_that_ends_within_a_peak_is_refused(tested):
         rotordyn.run(case(tested, asked, speeds="[0 rpm, 9000 rpm]"))
 
 
-def turned(folder, name, order=range(6), of=lambda value: value):
+def turned(folder, name, order=range(6), of=lambda value: value, source="noisy.csv"):
     """The noisy table with its responses in another order and with other values."""
-    head, *rows = (folder / "noisy.csv").read_text(encoding="utf-8").splitlines()
+    head, *rows = (folder / source).read_text(encoding="utf-8").splitlines()
     table = np.array([[float(each) for each in row.split(",")] for row in rows])
     values = of(table[:, 1::2] + 1j * table[:, 2::2])[:, list(order)]
     table[:, 1::2], table[:, 2::2] = values.real, values.imag
-    lines = [", ".join(f"{each:.9g}" for each in row) for row in table]
+    lines = [", ".join(f"{each:.12g}" for each in row) for row in table]
     (folder / name).write_text("\n".join([head, *lines]) + "\n", encoding="utf-8")
     return measured(name)
 

@@ -1102,11 +1102,11 @@ def test_a_machine_that_is_unstable_without_a_cut_has_no_stable_depth(case, mach
 
 @pytest.mark.filterwarnings("error")
 def test_a_machine_pushed_away_by_a_support_has_no_stable_depth(case, tmp_path):
-    """Its motion does not swing, and nothing is left to draw."""
+    """Its motion does not oscillate, and nothing is left to draw."""
     results = rotordyn.run(case(MACHINE.replace("yy: 1e8 N/m", "yy: -1e7 N/m")))
     found = results["stability_lobes"]
     assert found.depth.values.tolist() == found.chatter.values.tolist() == [0.0, 0.0]
-    assert "where a motion that does not swing grows" in " ".join(results.warnings)
+    assert "where a motion that does not oscillate grows" in " ".join(results.warnings)
     assert "no depth is stable" in results.summary
     results.save(tmp_path / "out")
 
@@ -1151,8 +1151,10 @@ def test_lines_of_limits_leave_speeds_out_that_are_unstable_without_a_cut():
     assert "would be stable up to 1.50 mm" in lines["even"]
     assert "misleads most at 1000 rpm: 5.00 mm in place of 0.00 mm" in lines["at"]
     assert "measured" not in lines
-    lines = spoken(measured=np.array([0.8e-3, 1e-3, np.inf]))
+    chatter = np.array([910.0, 820.0, np.nan])
+    lines = spoken(measured=np.array([0.8e-3, 1e-3, np.inf]), measured_chatter=chatter)
     assert "on the measured spindle is stable up to 0.800 mm, limited at 1000" in lines["measured"]
+    assert "(chatter at 910.0 Hz)" in lines["measured"]
     assert lines["measured"].endswith("planned cuts are those of the machine as computed")
 
 
@@ -1205,6 +1207,9 @@ def test_a_limit_that_only_a_finer_model_has_is_told():
         waves=np.array([1.0]),
         cutting_speed=np.array([500.0]),
         flip_depth=np.full(1, np.nan),
+        measured_chatter=np.full(1, np.nan),
+        measured_to=math.nan,
+        measured_doubt="",
         cut_is_stable=np.zeros(0),
     )
     assert accuracy(result) == ["limits not known by modes up to 4000 Hz"]

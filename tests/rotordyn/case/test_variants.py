@@ -215,12 +215,12 @@ def test_tools_are_variants_that_share_the_bearings(tmp_path: Path) -> None:
     path = tmp_path / "tools.yaml"
     path.write_text(TOOLS.format(tools="[hsk63_end_mill_16, hsk63_end_mill_20]"), encoding="utf-8")
     case = rotordyn.load(path)
-    solved = solve_variants(case).answers
+    solved = solve_variants(case).machines
     assert list(solved) == ["hsk63_end_mill_16", "hsk63_end_mill_20"]
     assert ["unloaded" in answers.seconds for answers in solved.values()] == [True, False]
     for name, answers in solved.items():
         path.write_text(TOOLS.format(tools=f"[{name}]"), encoding="utf-8")
-        alone = solve_variants(rotordyn.load(path)).answers[name].results["frf"]
+        alone = solve_variants(rotordyn.load(path)).machines[name].results["frf"]
         np.testing.assert_allclose(answers.results["frf"].response, alone.response, rtol=1e-9)
 
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rotordyn.equation.holding import holds_twice, rigid_motion
+from rotordyn.equation.holding import has_redundant_supports, rigid_motion
 from rotordyn.machine.support import LinearSupport
 from tests.oracles.rotors import STEPPED
 
@@ -33,7 +33,7 @@ def test_a_rigid_shaft_is_held_once_in_each_motion(
         LinearSupport(f"s{k}", x, {}, rigid=ways)
         for k, (x, ways) in enumerate(zip(HERE, held, strict=False))
     )
-    assert holds_twice(replace(STEPPED, supports=supports)) == twice
+    assert has_redundant_supports(replace(STEPPED, supports=supports)) == twice
 
 
 def test_a_rigid_motion_is_a_turn_about_the_front() -> None:

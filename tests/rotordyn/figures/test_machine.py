@@ -275,11 +275,36 @@ def test_a_static_load_is_an_arrow_the_way_it_acts_and_said(Fy):
     machine, load = samples.spindle(), PointLoad("nose", "cut", Fx=100.0, Fy=Fy, Mx=5.0)
     assert f"cut\nFx 100 N\nFy {Fy:g} N\nMx 5 N·m" in _words(machine_figure(machine, (load,)))
     sketch = Sketch()
-    draw_load(sketch, machine, replace(load, Fx=0.0), 10.0)
+    draw_load(sketch, machine, replace(load, Fx=0.0, Mx=0.0), 10.0)
     (((tail, neck),),) = sketch.lines.values()
     assert (neck[1] - tail[1]) * Fy > 0.0
     assert tail[1] * Fy < 0.0
     assert {colour for colour, *_ in sketch.lines} == {GREEN}
+
+
+@pytest.mark.parametrize("sense", [1.0, -1.0])
+def test_a_moment_is_an_arrow_by_the_right_hand(sense):
+    """Two heads along its axis x or y; about z, towards the viewer, anticlockwise if positive."""
+    machine = samples.spindle()
+
+    def drawn(**moment):
+        sketch = Sketch()
+        draw_load(sketch, machine, PointLoad("nose", **moment), 10.0)
+        ((line,),) = sketch.lines.values()
+        (heads,) = sketch.polygons.values()
+        return np.array(line), np.array(heads)
+
+    for axis, key in enumerate(("Mx", "My")):
+        (tail, neck), heads = drawn(**{key: 5.0 * sense})
+        assert (neck - tail)[axis] * sense > 0.0
+        assert len(heads) == 2
+        assert ((heads[:, 0] - heads[:, 1:].mean(axis=1))[:, axis] * sense > 0.0).all()
+    line, heads = drawn(Mz=5.0 * sense)
+    x = machine.place("nose").x * 1e3
+    from_centre = line - [x, 0.0]
+    turn = from_centre[:-1, 0] * from_centre[1:, 1] - from_centre[:-1, 1] * from_centre[1:, 0]
+    assert (turn * sense > 0.0).all()
+    assert len(heads) == 1
 
 
 def test_a_legend_with_long_names_stays_inside():

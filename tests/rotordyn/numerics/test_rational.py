@@ -18,7 +18,7 @@ def _sum(pole: np.ndarray, residue: np.ndarray) -> np.ndarray:
 
 @pytest.mark.parametrize("seed", range(8))
 def test_poles_of_a_sum_of_modes_are_found(seed: int) -> None:
-    """One to ten lightly damped pairs, and in every second trial one that does not swing."""
+    """One to ten lightly damped pairs, and in every second trial one that does not oscillate."""
     chance = np.random.default_rng(seed)
     at = np.sort(chance.uniform(20.0, 380.0, 1 + seed))
     pole = at * (-chance.uniform(0.005, 0.05, len(at)) + 1j)

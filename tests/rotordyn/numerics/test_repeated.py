@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rotordyn.numerics.repeated import as_beside, groups, spanning
+from rotordyn.numerics.repeated import continued_vectors, groups, spanning
 
 
 def unitary(draw: np.random.Generator, size: int) -> np.ndarray:
@@ -32,7 +32,7 @@ def test_vectors_of_one_pole_are_those_of_the_nearest_speed_where_it_parts(
     for step in (1, 2):
         poles[step, group] = poles[step, group[0]]
         mixed[step][:, group] = vectors[step][:, group] @ unitary(draw, twins)
-    found = as_beside(at, poles, mixed)
+    found = continued_vectors(at, poles, mixed)
     for step, nearest in ((1, 0), (2, 3)):
         span, one = (v[step][:, group] / length for v in (mixed, found))
         held = span.conj().T @ vectors[nearest][:, group]
@@ -48,7 +48,7 @@ def test_a_speed_at_which_one_of_them_is_lost_tells_nothing() -> None:
     poles = np.array([[1j, 1j, 1j, 1j], [2j, 2j, np.nan, np.nan], [1j, 2j, 3j, 4j]])
     vectors = np.stack([unitary(np.random.default_rng(k), 4) for k in range(3)])
     vectors[1, :, 2:] = np.nan
-    found = as_beside(np.array([0.0, 1.0, 2.0]), poles, vectors)
+    found = continued_vectors(np.array([0.0, 1.0, 2.0]), poles, vectors)
     assert found[0] == pytest.approx(vectors[2])
     assert np.isnan(found[1][:, 2:]).all()
     assert np.isfinite(found[1][:, :2]).all()
@@ -57,7 +57,7 @@ def test_a_speed_at_which_one_of_them_is_lost_tells_nothing() -> None:
 def test_vectors_of_poles_that_never_part_stay() -> None:
     poles = np.full((3, 2), 1j)
     vectors = np.stack([unitary(np.random.default_rng(k), 2) for k in range(3)])
-    assert (as_beside(np.arange(3.0), poles, vectors) == vectors).all()
+    assert (continued_vectors(np.arange(3.0), poles, vectors) == vectors).all()
 
 
 def test_vectors_stay_where_the_nearest_step_has_nothing_like_them() -> None:
@@ -65,7 +65,7 @@ def test_vectors_stay_where_the_nearest_step_has_nothing_like_them() -> None:
     base = np.eye(4, dtype=complex)
     poles = np.array([[1j, 1j], [1j, 2j]])
     vectors = np.stack([base[:, :2], base[:, [0, 2]]])
-    assert (as_beside(np.array([0.0, 1.0]), poles, vectors) == vectors).all()
+    assert (continued_vectors(np.array([0.0, 1.0]), poles, vectors) == vectors).all()
 
 
 def test_values_are_one_by_those_between_them() -> None:

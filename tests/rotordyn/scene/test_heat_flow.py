@@ -26,6 +26,16 @@ def test_guesses_are_those_that_are_not_given() -> None:
     assert "1.5 from balls to oil, 1 and 2 from balls" in replace(FLOW, balls_outer=2.0).note
 
 
+def test_a_single_bearing_of_a_material_without_an_expansion_says_so() -> None:
+    case = replace(rotordyn.load("vex70_warm"), speeds=(100.0,), variants={})
+    assert not [words for words in rotordyn.run(case).warnings if "thermal_expansion" in words]
+    assert case.bearing is not None
+    balls = replace(case.bearing.ball_material, name="unknown", thermal_expansion=None)
+    other = replace(case, bearing=replace(case.bearing, ball_material=balls))
+    (said,) = (words for words in rotordyn.run(other).warnings if "thermal_expansion" in words)
+    assert said.startswith("balls of unknown: this material has no thermal_expansion")
+
+
 @pytest.mark.parametrize("name", ["vex70_warm", "grinding_spindle_warm"])
 def test_a_run_says_them(name: str) -> None:
     case = replace(rotordyn.load(name), speeds=(100.0,), variants={})

@@ -6,7 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
+from bearings.ring.request import solved
 from rotordyn.analyses import Lubrication
 from rotordyn.analyses.section_forces.result import SectionForcesResult
 from rotordyn.analyses.section_forces.solve import solve as statics
@@ -23,7 +25,7 @@ from rotordyn.machine.rotor import Rotor
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.support import LinearSupport
 from rotordyn.preload.growth import static_growth
-from rotordyn.scene.linearity import TOLD, departure
+from rotordyn.scene.linearity import REPORTED, departure, tangent_warnings
 from rotordyn.scene.loads import PointLoad, Unbalance
 from rotordyn.scene.scene import Scene
 from tests.oracles.spindles import RPM, conditions, mfw2310
@@ -87,6 +89,31 @@ def test_loads_beyond_the_tangents_are_told() -> None:
     assert "rpm: a by" in said
 
 
+LIFTED, CRUSHED = np.array([-1.7e-3, 1.24e-3, -0.11e-3, 4.67e-3, 17.0e-3]), np.eye(5)[0] * 5e-3
+
+
+@pytest.mark.parametrize(
+    ("aside", "outcome"), [(LIFTED, "no equilibrium"), (CRUSHED, "overloaded")]
+)
+@pytest.mark.parametrize("harmonic", [False, True])
+def test_rings_without_a_state_depart_by_any_share(
+    aside: NDArray[np.float64], outcome: str, harmonic: bool
+) -> None:
+    """In whichever phase of the motion; other phases do not hide it."""
+    scene = Scene(mfw2310(), conditions(), np.array([SPEED]))
+    balls, column = scene.preload.seat_states()[0]
+    preload = balls.rows(np.ix_([0], [column]))
+    displaced = solved(preload.operation.at(preload.displacement[:, :, None] + aside))
+    assert displaced.outcome == outcome
+    moved = np.zeros((1, len(scene.spindle.seats), 5), complex if harmonic else float)
+    moved[0, 0] = aside
+    apart = departure(scene, moved)
+    assert apart[0, 0] == np.inf
+    assert (apart[0, 1:] == 0.0).all()
+    (warning,) = tangent_warnings("unbalance", ("a", *"bcde"), scene.speed, apart)
+    assert "first at 12000 rpm: a loses any state" in warning
+
+
 def test_beside_films_nothing_is_compared() -> None:
     oil = Lubrication(32e-6, 5.4e-6, 50.0)
     films = Scene(mfw2310(), conditions(films=oil), np.array([SPEED]))
@@ -106,13 +133,13 @@ def test_a_resonance_between_the_speeds_of_the_case_is_told() -> None:
         replace(spec, run_down=(30.0,)),
     )
     seats = len(machine.seats)
-    assert np.nanmax(found.departure) < 0.8 * TOLD
+    assert np.nanmax(found.departure) < 0.8 * REPORTED
     np.testing.assert_allclose(found.fine_departure[[0, -1]], found.departure, rtol=1e-6)
     peak = orbits(Scene(machine, conditions(), found.peak_speed[0, :1], 2000.0), spec)
     there = found.fine_speed == found.peak_speed[0, 0]
     assert found.fine_departure[there, :seats] == pytest.approx(peak.departure[:, :seats], rel=1e-3)
     assert found.run_departure[0, :seats] == pytest.approx(peak.departure[0, :seats], rel=0.03)
-    assert np.nanmax(peak.departure) > 2.0 * TOLD
+    assert np.nanmax(peak.departure) > 2.0 * REPORTED
     steady, run = (each for each in orbit_warnings(found) if "moved so far" in each)
     worst = 100.0 * np.nanmax(found.fine_departure, axis=0)
     assert f"e by {worst[seats - 1]:.0f} %" in steady

@@ -13,7 +13,7 @@ import pytest
 
 from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.analyses.frf.spec import FrfSpec
-from rotordyn.analyses.solving import Answers, solve_spindle
+from rotordyn.analyses.solving import MachineResults, solve_spindle
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.shaft import Section, Shaft
@@ -45,7 +45,7 @@ def held(
     return LinearSupport(name, x, stiffness, dict.fromkeys(ways[:2], damping))
 
 
-def solved(spindle: Spindle, highest: float = 400.0) -> Answers:
+def solved(spindle: Spindle, highest: float = 400.0) -> MachineResults:
     asked: dict[str, Any] = {"campbell": CampbellSpec(highest, shapes=False)}
     speeds = (0.0, 1000.0 * RPM)
     return solve_spindle(spindle, Conditions(rotor="rigid"), speeds, asked, lambda name: None)

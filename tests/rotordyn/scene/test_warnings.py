@@ -15,7 +15,7 @@ from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.analyses.unbalance import summary as unbalance
 from rotordyn.case.model import model
 from rotordyn.machine.seat import BearingSeat
-from rotordyn.results.balls import gripping, pressed, slipping, softened
+from rotordyn.results.balls import friction_warning, pressed, slipping, softened
 from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.scene import Scene
 from rotordyn.scene.warnings import _unloaded_balls, bearing_warnings
@@ -31,10 +31,12 @@ def test_pressure_slip_and_grip_are_named_from_their_first_speed() -> None:
     assert pressed("bearing a", SPEEDS, peak).startswith("bearing a: contact pressure 4.50 GPa")
     assert "from 12000 rpm on" in pressed("bearing a", SPEEDS, peak)
     assert "the inner race from 24000 rpm" in slipping("a", SPEEDS, np.array(["", "", "inner"]))
-    assert "above 0.3, more than the 0.1" in gripping("a", SPEEDS, np.array([0.0, 0.05, 0.3]))
+    assert "above 0.3, more than the 0.1" in friction_warning(
+        "a", SPEEDS, np.array([0.0, 0.05, 0.3])
+    )
     assert not pressed("a", SPEEDS, np.full(3, np.nan))
     assert not slipping("a", SPEEDS, np.full(3, ""))
-    assert not gripping("a", SPEEDS, np.array([0.0, np.nan, 0.0999]))
+    assert not friction_warning("a", SPEEDS, np.array([0.0, np.nan, 0.0999]))
 
 
 def test_warnings_of_balls_say_at_which_speeds() -> None:
@@ -42,8 +44,8 @@ def test_warnings_of_balls_say_at_which_speeds() -> None:
     speeds = np.array([0.0, 6000.0, 7500.0, 9000.0, 10500.0]) * RPM
     grip = np.array([np.nan, 0.11, 0.13, 0.09, 0.07])
     slips, factor = np.where(grip > 0.12, "inner", ""), np.where(grip > 0.1, 0.9, 1.0)
-    assert "at 2 of 5 speeds, first at 6000 rpm; raise" in gripping("a", speeds, grip)
-    assert "contacts from 6000 rpm on; raise" in gripping("a", speeds[:3], grip[:3])
+    assert "at 2 of 5 speeds, first at 6000 rpm; raise" in friction_warning("a", speeds, grip)
+    assert "contacts from 6000 rpm on; raise" in friction_warning("a", speeds[:3], grip[:3])
     assert "the inner race at 7500 rpm (friction" in slipping("a", speeds, slips)
     assert "150 °C at 2 of 5 speeds, first at 6000 rpm:" in softened(factor[:, None], speeds)
     one_of_two = np.stack([factor, np.ones(5)], axis=1)

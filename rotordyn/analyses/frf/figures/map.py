@@ -67,8 +67,8 @@ def amplitude(result: FrequencyResponse, pair: int) -> NDArray[np.float64]:
 
 
 def amplitude_range(values: NDArray[np.float64]) -> tuple[float, float]:
-    """Limits of colour or height: the 0.5 % percentile, at most four decades below the largest
-    value, and that value."""
+    """Limits of colour or height: the 0.5 % quantile, at most four decades below the largest value,
+    and that value."""
     drawable = values[np.isfinite(values) & (values > 0.0)]
     if not drawable.size:
         return 0.1, 1.0

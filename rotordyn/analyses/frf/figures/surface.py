@@ -118,7 +118,8 @@ def _grid(
 
 
 def _surface(axes: Axes, frequency: Array, rpm: Array, height: Array) -> None:
-    """Draw a quadrilateral per cell, back to front, shaded by slope; the front strip as a line."""
+    """Draw a quadrilateral per cell, back to front, coloured by height and shaded by slope; the
+    front strip as a line."""
     from matplotlib import colormaps
     from matplotlib.collections import LineCollection, PolyCollection
 

@@ -58,7 +58,7 @@ class Curve(NamedTuple):
 
     @property
     def x(self) -> NDArray[np.float64]:
-        """Stations [mm]; twice where a point load acts."""
+        """Stations [mm] of both ends of every element, so that values may jump at a node."""
         return self.result.cut * MILLIMETRE.factor
 
     def values(self, quantity: str) -> NDArray[np.float64]:

@@ -32,8 +32,8 @@ BESIDE = {
 
 
 def warming_figure(result: WarmUpResult, speeds: int = 3) -> Figure:
-    """Draw loads and temperatures in a column for the first, the middle and the last speed; those
-    of shaft and housing where they change."""
+    """Draw loads and temperatures in a column for the first, the middle and the last speed, with a
+    dot at the largest loads; those of shaft and housing where they change."""
     picked = evenly(result.speed.size, speeds)
     figure = new_figure(168.0, 190.0)
     boxes = grid_boxes(
@@ -49,6 +49,8 @@ def warming_figure(result: WarmUpResult, speeds: int = 3) -> Figure:
             box, last = boxes[line * len(picked) + place], line == len(ROWS) - 1
             axes = add_axes(figure, box, TIME * last, label * (not place))
             draw_columns(axes, result.time / 60.0, values[row], result.bearing, every_field)
+            if not line and not result.outcome[row]:
+                _mark_largest(axes, result, row)
             if adjacent.size:
                 _draw_adjacent(axes, result.time / 60.0, adjacent, BESIDE[field][1])
             axes.set_xlim(0.0, result.time[-1] / 60.0)
@@ -59,8 +61,18 @@ def warming_figure(result: WarmUpResult, speeds: int = 3) -> Figure:
                 rpm = result.speed[row] * RPM.factor
                 axes.set_title(f"{rpm:.0f} rpm", fontsize=FONT_SIZE, pad=4.0)
             if not line and not place:
+                axes.plot([], [], "o", color="black", ms=2.5, label="largest")
                 legend(axes)
     return figure
+
+
+def _mark_largest(axes: Axes, result: WarmUpResult, row: int) -> None:
+    """Mark the largest load of every bearing that is larger than at both ends, however early."""
+    load = result.axial_load[row, : np.searchsorted(result.time, result.ended[row]) + 1]
+    most = np.searchsorted(result.time, result.largest_time[row])
+    for k, at in enumerate(most.tolist()):
+        if abs(load[at, k]) > 1.005 * max(abs(load[0, k]), abs(load[-1, k])):
+            axes.plot(result.time[at] / 60.0, load[at, k], "o", color="black", ms=2.5, zorder=5)
 
 
 def _adjacent(result: WarmUpResult, field: str) -> Array:

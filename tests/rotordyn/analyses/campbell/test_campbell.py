@@ -117,7 +117,7 @@ def test_what_other_machines_may_have_is_named_as_they_name_it() -> None:
     top = f"{found.speed[-1] / RPM:.0f} rpm"
     assert {f"bending pair 5 {way} at {top}" for way in ("backward", "forward")} <= named
     assert {"critical 1× bending (30)", "critical 1× torsion (1)"} <= named
-    entries = dict(summary.unlisted(found))
+    entries = dict(summary.missing_entries(found))
     assert {"bending 30", "bending 3 forward", "axial 1"} <= {*entries["mode"]}
     assert {*entries["critical"]} == {*entries["mode"]}
 
