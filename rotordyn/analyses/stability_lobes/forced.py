@@ -49,9 +49,9 @@ class Milled:
     ``least``, ``most`` (walls,) [m]: range over the depth of the error of each wall as the deepest
     tooth leaves it, positive where material is left. In feed and normal (2,) [m]: ``deflection``,
     the mean displacement of the tip, and ``peak_to_peak``, its vibration. ``force``: the largest on
-    the tip [N]; ``torque`` [N m] and ``power`` [W]: mean values. The vibration moves the ends of its
-    own contact: ``departure``, the change of the vibration by that, and ``error``, the remaining
-    change in its iteration, small where that converges, both over its size.
+    the tip [N]; ``torque`` [N m] and ``power`` [W]: mean values. The vibration moves the ends of
+    its own contact: ``departure``, the change of the vibration by that, and ``error``, the
+    remaining change in its iteration, small where that converges, both over its size.
     """
 
     least: Array
