@@ -102,7 +102,7 @@ BALL_DIAMETER = Measure("length", "diameter of a ball", 1e-4, 0.2, unit="mm")
 PITCH_DIAMETER = Measure("length", "diameter of the circle of ball centres", 1e-3, 10.0, unit="mm")
 BALLS = Measure("count", "number of balls", 3, 500)
 CONFORMITY = Measure("number", "groove radius over ball diameter", 0.5, 0.7, open_low=True)
-MATERIAL = Measure("material", "elastic constants and density")
+MATERIAL = Measure("material", "material, with its thermal expansion")
 THINNEST = 0.1  # wall of a ring over the diameter of the ball
 SHOULDER = Measure("length", "diameter at which the groove of the ring ends", 1e-3, 10.0, unit="mm")
 

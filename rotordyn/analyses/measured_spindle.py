@@ -42,7 +42,8 @@ class MeasuredSpindle(Description):
     ]
     modes: Annotated[
         Annotated[int, Whole(1, 60)] | None,
-        "fitted to the responses, which averages noise; by default as many as the noise leaves",
+        "number of modes fitted to the responses, which averages noise; by default as many "
+        "as the noise leaves",
     ] = None
     blank: Annotated[
         Tool | None,

@@ -1,5 +1,8 @@
-"""A sum of modes through measured receptances: noise is averaged over the band, and what follows
-from differences of receptances, as inverse coupling, stays smooth."""
+"""A sum of modes through measured receptances.
+
+Noise is averaged over the band, and what follows from differences of receptances, as inverse
+coupling, stays smooth.
+"""
 
 from __future__ import annotations
 

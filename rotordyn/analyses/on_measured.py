@@ -1,7 +1,7 @@
-"""Receptance of the tip of a tool on a spindle known by measured receptances: these are fitted by
-modes, the blank is uncoupled, and the tool is coupled in its place.
+"""Receptance of the tip of a tool on a spindle known by measured receptances.
 
-The tool is exact by Timoshenko's theory and at rest, as the spindle was when it was measured.
+These are fitted by modes, the blank is uncoupled, and the tool is coupled in its place. The tool is
+exact by Timoshenko's theory and at rest, as the spindle was when it was measured.
 
 Theory: docs/theory/coupling.md.
 """
@@ -80,7 +80,7 @@ class OnMeasured:
         """Modes fitted to the three responses of every plane, front, across and behind."""
         return {plane: self._fit(plane, self.measured.modes) for plane in self.measured.planes}
 
-    def tip(self, way: str, omega: Array) -> Complex:
+    def tip(self, plane: str, omega: Array) -> Complex:
         """Receptance of the tip in a plane at angular frequencies within the band (f,) [m/N].
 
         Raises
@@ -88,59 +88,60 @@ class OnMeasured:
         InvalidInput : a blank that hides the spindle behind the noise of its responses, or too few
             modes to tell
         """
-        if way not in self._hidden:
-            self._hidden[way] = self._why_hidden(way)
-        if why := self._hidden[way]:
+        if plane not in self._hidden:
+            self._hidden[plane] = self._why_hidden(plane)
+        if why := self._hidden[plane]:
             raise InvalidInput(f"measured_spindle: {why}")
-        return self._tip(self.fits[way](omega), *self._parts(omega))
+        return self._tip(self.fits[plane](omega), *self._parts(omega))
 
-    def error(self, way: str, omega: Array) -> Array:
+    def error(self, plane: str, omega: Array) -> Array:
         """Standard deviation of ``tip`` from the noise of the measurement (f,) [m/N].
 
         The noise is what the modes leave, independent in every sample; poles and residues fitted
         to all of them carry it to the tip, by derivatives.
         """
-        carried = self.fits[way].carried(omega, self._derivative(way, omega))
+        carried = self.fits[plane].carried(omega, self._derivative(plane, omega))
         return np.asarray(np.linalg.norm(carried, axis=1))
 
-    def amplitude_error(self, way: str, omega: Array) -> Array:
+    def amplitude_error(self, plane: str, omega: Array) -> Array:
         """Standard deviation of the amplitude of ``tip`` from the same noise, over it (f,): of the
         part of the error that is in phase with the tip."""
-        tip = self.tip(way, omega)
-        share = self._derivative(way, omega) / tip[:, None]
-        return self.fits[way].carried(omega, share)[:, 0]
+        tip = self.tip(plane, omega)
+        share = self._derivative(plane, omega) / tip[:, None]
+        return self.fits[plane].carried(omega, share)[:, 0]
 
-    def calibration(self, way: str, omega: Array) -> Array:
+    def calibration(self, plane: str, omega: Array) -> Array:
         """Change of ``tip`` (f,) [m/N] over the relative error of gain, or of phase [rad], of every
         response, the root of the sum of squares of all three.
 
         Unlike noise, such errors are the same at all frequencies, and no average lessens them.
         """
-        share = self._derivative(way, omega) * self.fits[way](omega)
+        share = self._derivative(plane, omega) * self.fits[plane](omega)
         return np.asarray(np.linalg.norm(share, axis=1))
 
-    def doubt(self, way: str) -> str:
+    def doubt(self, plane: str) -> str:
         """Sentence on what makes the tip in a plane doubtful; empty where nothing does."""
-        doubts, fit, omega = [], self.fits[way], self.omega
+        doubts, fit, omega = [], self.fits[plane], self.omega
         if fit.at_most:
             doubts.append(
                 f"the {len(fit.fit.pole)} modes fitted are the most that are tried, which may be "
                 "noise: give modes, or look whether the responses are those of a linear structure"
             )
-        tip = self.tip(way, omega)
-        positive = np.maximum(tip.imag - SURE * self.error(way, omega), 0.0)
+        tip = self.tip(plane, omega)
+        positive = np.maximum(tip.imag - SURE * self.error(plane, omega), 0.0)
         share = np.linalg.norm(positive) / np.linalg.norm(tip)
         if share > ACTIVE:
             hertz = omega[positive.argmax()] / (2.0 * math.pi)
             doubts.append(
-                f"the tip is that of no passive structure, by {share:.0%} of its size and most at "
+                f"the tip is that of no passive structure, by {100.0 * share:.0f} % of its "
+                "size and most at "
                 f"{hertz:.5g} Hz: check gains and delays of the channels, and the blank"
             )
         return "; ".join(doubts)
 
-    def _derivative(self, way: str, omega: Array) -> Complex:
+    def _derivative(self, plane: str, omega: Array) -> Complex:
         """Derivatives (f, 3) of the tip by the responses."""
-        values, parts = self.fits[way](omega), self._parts(omega)
+        values, parts = self.fits[plane](omega), self._parts(omega)
         unchanged, derivative = self._tip(values, *parts), np.empty_like(values)
         for k in range(values.shape[1]):
             changed = values.copy()
@@ -159,7 +160,8 @@ class OnMeasured:
             return ""
         cause = CLOSE if self.measured.blank is None else UNSUITABLE
         return self._too_few_modes(plane) or (
-            f"the noise of the responses makes {share:.0%} of the tip of the tool: {cause}, or "
+            f"the noise of the responses makes {100.0 * share:.0f} % of the tip of the tool: "
+            f"{cause}, or "
             "measure with less noise"
         )
 
@@ -169,8 +171,10 @@ class OnMeasured:
         if best.misfit > FEW * fit.misfit:
             return ""
         return (
-            f"modes: given {self.measured.modes}, which leave a misfit of {fit.misfit:.2%} to the "
-            f"responses ({len(best.fit.pole)} leave {best.misfit:.2%}): raise modes, or leave it "
+            f"modes: given {self.measured.modes}, which leave a misfit of "
+            f"{100.0 * fit.misfit:.2f} % to the "
+            f"responses ({len(best.fit.pole)} leave {100.0 * best.misfit:.2f} %): raise "
+            "modes, or leave it "
             "out"
         )
 

@@ -19,7 +19,7 @@ from rotordyn.machine.plausibility import estimates
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
 from rotordyn.scene.conditions import Conditions
-from rotordyn.scene.expansions import of_bearing, unknown_expansions
+from rotordyn.scene.expansions import bearing_materials, unknown_expansions
 from rotordyn.scene.spec import Spec
 
 if TYPE_CHECKING:
@@ -155,7 +155,7 @@ def solve_bearing(
         warnings=(
             *estimates({"": bearing}),
             *(sentence for flow in flows for sentence in flow.guesses()),
-            *(unknown_expansions(of_bearing(bearing)) if flows else ()),
+            *(unknown_expansions(bearing_materials(bearing)) if flows else ()),
         ),
         notes=tuple(flow.note for flow in flows),
         stop=stop,

@@ -178,7 +178,7 @@ class ModesEntry:
 
 @dataclass(frozen=True, slots=True)
 class PhaseEntry:
-    """A model of a story: which unknowns it seeks, what it holds."""
+    """One phase of an identification: the unknowns it seeks, the values it holds."""
 
     unknowns: Annotated[
         tuple[str, ...] | None, Items(), "unknowns sought, by name or path; all by default"
@@ -190,7 +190,7 @@ class PhaseEntry:
 
 @dataclass(frozen=True, slots=True)
 class PredictedEntry:
-    """A number of the case that is said of the identified machine."""
+    """A number to compute for the identified machine."""
 
     of: Annotated[str, "number, as in a goal"]
     where: Annotated[Mapping[str, Any], "selection, as in a goal"] = field(default_factory=dict)
@@ -227,7 +227,9 @@ class IdentificationFile:
         str | None, "mean absolute difference up to which a model suffices; by default χ² decides"
     ] = None
     minimise: Annotated[
-        str, Choice(MINIMISED), "what is minimised: squares of differences, or their absolute mean"
+        str,
+        Choice(MINIMISED),
+        "what is minimised: the squares of differences, or the mean of their absolute values",
     ] = MINIMISED[0]
     starts: Annotated[int, Whole(1, MOST_STARTS), "number of starts of each search"] = 1
     seed: Annotated[int, Whole(0, 2**31 - 1), "random seed of the starts after the first"] = 0

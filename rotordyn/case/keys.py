@@ -65,7 +65,8 @@ class ModelFiles:
     places: Annotated[
         tuple[str, ...],
         Items(),
-        'of every coordinate, `front.y` under the support or bearing front; an inner one is `""`',
+        "place of every coordinate, `front.y` under the support or bearing front; an "
+        'inner one is `""`',
     ]
     damping: Annotated[str, "likewise, N·s/m; none by default"] = ""
 
@@ -195,12 +196,12 @@ class _Support:
 
 @dataclass
 class _Prescribed:
-    reference: Annotated[Station | None, "serves where the shift is `computed`"] = None
+    reference: Annotated[Station | None, "used only where `shift` is `computed`"] = None
 
 
 @dataclass
 class _Computed:
-    at: Annotated[TopSpeed | None, "serves where the shift is given"] = None
+    at: Annotated[TopSpeed | None, "used only where shifts are given"] = None
 
 
 @dataclass
@@ -326,7 +327,7 @@ _OF_BEARINGS = {
     ("growth",): "ring growth of every bearing that gives none itself",
     ("fits",): "fits of every bearing that gives none itself",
     ("flexible_rings",): "rings of every bearing that gives none itself, as elastic bodies",
-    ("damping", "bearings"): "between the rings of bearings that give no damping themselves",
+    ("damping", "bearings"): "damping between the rings of bearings that give none themselves",
 }
 _SIZED = {
     ("growth", "fit"): (InterferenceFit, ("bore_diameter",)),

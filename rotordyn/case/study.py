@@ -41,7 +41,7 @@ class StudyFile:
     case: Annotated[str, "path of a case file, or the name of a case that comes with rotordyn"]
     vary: Annotated[
         Mapping[str, Any],
-        "dotted path, as of `vary`, to a list of values or a span (from, to, points, spacing)",
+        "dotted path, as in `override`, to a list of values or a span (from, to, points, spacing)",
     ]
     sampling: Annotated[
         str, Choice(SAMPLINGS), "every combination, values in step, or a sample of so many points"

@@ -86,7 +86,9 @@ class PrescribedShortening(Description):
 class ComputedShortening(Description):
     """Axial shift of every seat computed from the sections (Poisson contraction)."""
 
-    reference: Annotated[Station, Key(missing="the station that does not shift"), "does not shift"]
+    reference: Annotated[
+        Station, Key(missing="the station that does not shift"), "station that does not shift"
+    ]
     shift: Annotated[Computed, Key(required=True), "axial shift, computed from the sections"] = (
         COMPUTED
     )

@@ -43,8 +43,10 @@ class RigidHousing(Description):
     damping: Annotated[OneValue, DAMPING, "damping of the body against ground, 6×6"] = field(
         default_factory=dict
     )
-    polar_inertia: Annotated[Inertia, "about the axis"] = 0.0
-    diametral_inertia: Annotated[Inertia, "about y or z through its centre of gravity"] = 0.0
+    polar_inertia: Annotated[Inertia, "moment of inertia about the axis"] = 0.0
+    diametral_inertia: Annotated[
+        Inertia, "moment of inertia about y or z through its centre of gravity"
+    ] = 0.0
 
     def _faults(self) -> Faults:
         yield from repeated("carries", self.carries, said="named twice:")

@@ -29,8 +29,10 @@ class PointMass(Description):
     name: Annotated[OptionalName, "name in messages and overrides"]
     x: Annotated[Station, "station"]
     mass: Annotated[Mass, "mass of the body"]
-    polar_inertia: Annotated[Inertia, "about the axis"] = 0.0
-    diametral_inertia: Annotated[Inertia, "about a diameter through its centre"] = 0.0
+    polar_inertia: Annotated[Inertia, "moment of inertia about the axis"] = 0.0
+    diametral_inertia: Annotated[
+        Inertia, "moment of inertia about a diameter through its centre"
+    ] = 0.0
 
     def _faults(self) -> Faults:
         """Yield a fault where Jp > 2 Jd: a flat body has Jp = 2 Jd, a slender one less."""

@@ -60,7 +60,8 @@ def estimates(bearings: Mapping[str, BallBearing]) -> Iterator[str]:
             doubted.setdefault(bearing.doubt, []).append(name)
     for text, names in named.items():
         yield (
-            f"{_which(names)}: estimate from catalogue values (nine in ten plausible insides): "
+            f"{_which(names)}: estimate from catalogue values (nine in ten plausible "
+            "internal geometries): "
             f"{text}; what hangs on balls and grooves spreads with them"
         )
     yield from (f"{_which(names)}: {text}" for text, names in doubted.items() if text)

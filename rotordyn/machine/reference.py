@@ -38,7 +38,7 @@ class Reference(Description):
     speeds: Annotated[tuple[Speed, ...], Items(), "one per value, or one for all"]
     values: Annotated[tuple[float, ...], Items(), "known values, with units of the quantity"]
     subject: Annotated[str, "variant, sleeve or bearing it belongs to"] = ""
-    remark: Annotated[str, "one sentence why it may differ from ours"] = ""
+    remark: Annotated[str, "one sentence why it may differ from the computed value"] = ""
     conditions: Annotated[
         Mapping[str, str | float | bool | None],
         "compared only where these conditions are in force",

@@ -17,7 +17,7 @@ from rotordyn.quantity import DampingRatio, Key, Name, Share, SpeedRatio, Statio
 ModalDamping = Annotated[
     tuple[DampingRatio, ...],
     Key("damping.rotor"),
-    "modal ratios of the flexible free-free bending modes at rest, the last repeated",
+    "modal damping ratios of the flexible free-free bending modes at rest, the last repeated",
 ]
 TurningShare = Annotated[
     Share,

@@ -66,8 +66,10 @@ class BearingSeat(Description):
         "its rings as elastic bodies on shaft and housing "
         "([theory](theory/flexible_rings.md)); rigid by default",
     ] = None
-    radial_damping: Annotated[Damping, Key("damping.radial"), "between the rings"] = 0.0
-    axial_damping: Annotated[Damping, Key("damping.axial"), "between the rings"] = 0.0
+    radial_damping: Annotated[
+        Damping, Key("damping.radial"), "radial damping between the rings"
+    ] = 0.0
+    axial_damping: Annotated[Damping, Key("damping.axial"), "axial damping between the rings"] = 0.0
     model: Annotated[str, HIDDEN] = ""
     kinematics: Annotated[
         Annotated[str, Choice(KINEMATICS)] | None, "instead of that of the conditions"

@@ -48,7 +48,7 @@ class Section(Description):
     ]
     name: Annotated[OptionalName, "name in messages, overrides and the figure"] = ""
     rear_outer_diameter: Annotated[
-        Diameter | None, "where it is another one at the rear end: a cone"
+        Diameter | None, "outer diameter at the rear end, where it differs: a cone"
     ] = None
     rear_inner_diameter: Annotated[Bore | None, "likewise, of the bore"] = None
     mean_density: Annotated[

@@ -62,7 +62,7 @@ class Sleeve(Description):
     """
 
     name: Annotated[Name, "name of the sleeve"]
-    bearings: Annotated[tuple[Name, ...], Items(), "whose outer rings it carries"]
+    bearings: Annotated[tuple[Name, ...], Items(), "bearings whose outer rings it carries"]
     spring: Annotated[Spring, "spring that loads these bearings"]
     stop_travel: Annotated[StopTravel, "way against the spring, from rest to the end stop"] = (
         math.inf

@@ -52,11 +52,11 @@ def whirl_along(linear: Linear, vector: Complex, degree: float) -> str:
     ``vector`` (n,): mixed where some nodes whirl forward and others backward."""
     if abs(degree) < PLANAR:
         return "planar"
-    forward = "forward" if degree > 0.0 else "backward"
+    whirl = "forward" if degree > 0.0 else "backward"
     if linear.isotropic:
-        return forward
+        return whirl
     y, z = (linear.motion[:, position(name)] @ vector for name in ("y", "z"))
     size = np.abs(y) ** 2 + np.abs(z) ** 2
     turn = np.abs(y + 1j * z) ** 2 - np.abs(y - 1j * z) ** 2  # forward less backward
     against = turn * degree < 0.0
-    return "mixed" if size[against].sum() > FELT * size.sum() else forward
+    return "mixed" if size[against].sum() > FELT * size.sum() else whirl

@@ -18,7 +18,7 @@ from rotordyn.arrays import Array, Complex
 
 ROUNDS = 20  # of weights
 WINDOW = 21  # samples over which the first weights are averaged
-INCOHERENT = 1e-6  # least γ²
+LEAST_COHERENCE = 1e-6  # least γ²
 LEAST = 1e-12  # of the largest response: least standard deviation, that of rounding
 
 
@@ -36,7 +36,7 @@ def sample_noise(
     for k, size in enumerate(np.abs(fitted).T):
         causes = [size[:, None] ** 2, floors]
         if coherence is not None:
-            gamma = np.clip(coherence[:, k], INCOHERENT, 1.0)
+            gamma = np.clip(coherence[:, k], LEAST_COHERENCE, 1.0)
             causes.append((size**2 * (1.0 - gamma) / gamma)[:, None])
         variance = _variance(np.concatenate(causes, axis=1), np.abs(remainder[:, k]) ** 2)
         least = max((LEAST * float(size.max())) ** 2, 1e-300)

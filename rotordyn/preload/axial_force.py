@@ -157,7 +157,7 @@ def compliance(spindle: Spindle, start: float, end: float) -> float:
 
 
 def _compliances(spindle: Spindle, marks: Array) -> tuple[Array, Array]:
-    """Return stations (p,) [m] on the shaft between the first and the last of ``marks``, among
+    """Return stations (p,) [m] on the shaft between the first and the last of ``marks``, between
     which its sections are smooth, and the axial compliance of each (p,) [m/N]; joints in between
     are among them."""
     marks = np.unique(marks)

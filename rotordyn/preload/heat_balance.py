@@ -45,20 +45,26 @@ class Flow(NamedTuple):
 
 class HeatBalance(NamedTuple):
     """Temperatures over speed, and an ``outcome`` per speed: empty, or why there is no balance
-    (temperatures of the last iteration then)."""
+    (temperatures of the last iteration then); ``values`` of balls, inner and outer rings
+    (speeds, bearings, 3) [°C]."""
 
     temperatures: Temperatures
     outcome: tuple[str, ...]
+    values: Array
 
 
-def heat_balance(solve: Solve, speed: Array, spindle: Spindle, flow: Flow) -> HeatBalance:
+def heat_balance(
+    solve: Solve, speed: Array, spindle: Spindle, flow: Flow, start: Array | None = None
+) -> HeatBalance:
     """Return the temperatures of the bearings of ``spindle`` at every ``speed`` [rad/s], ascending.
 
-    ``solve`` returns the preload state at given temperatures.
+    ``solve`` returns the preload state at given temperatures; they are iterated from ``start``
+    (speeds, bearings, 3) [°C], by default those without any heat.
     """
     names = tuple(seat.name for seat in spindle.seats)
     pitches = np.array([seat.bearing.pitch_diameter for seat in spindle.seats])
-    t = np.broadcast_to(cold(flow), (len(speed), len(names), 3)).copy()
+    start = cold(flow) if start is None else start
+    t = np.broadcast_to(start, (len(speed), len(names), 3)).copy()
     damping, last_size = np.ones(len(speed)), np.full(len(speed), np.inf)
     last_step, last_move = np.zeros_like(t), np.zeros_like(t)
     failures = np.full(len(speed), "", dtype=object)
@@ -93,7 +99,7 @@ def heat_balance(solve: Solve, speed: Array, spindle: Spindle, flow: Flow) -> He
         f"bearings at {rpm:.0f} rpm: {failure}" if failure else ""
         for failure, rpm in zip(failures, speed * 30.0 / np.pi, strict=True)
     )
-    return HeatBalance(tables(t, speed, names, flow), outcome)
+    return HeatBalance(tables(t, speed, names, flow), outcome, t)
 
 
 def cold(flow: Flow) -> Array:

@@ -2,8 +2,8 @@
 
 Friction makes each state depend on the one before, so that states are followed from one event (a
 sleeve slips or sticks, a stop closes or opens) to the next. Bearings are tables of their loads and
-tangents at every speed, interpolated linearly between two speeds. ``rotordyn.preload.play`` is a
-faster solver for cycles of force alone, for identification.
+tangents at every point of the path, blended linearly between two points. ``rotordyn.preload.play``
+is a faster solver for cycles of force alone, for identification.
 """
 
 from __future__ import annotations
@@ -51,8 +51,8 @@ class History:
     """Axial ``network`` of the spindle and the loads of its history.
 
     ``of_seat``: index of the network's bearing at each seat; ``rest``: load at assembly;
-    ``before``: loads up to the run-up; ``passed``: loads on the way to each speed, from the last
-    one passed on the way to its neighbour; ``through``: load as the run-up reaches it; ``after``:
+    ``before``: loads up to the run-up; ``passed``: loads passed on the way to each speed, since the
+    speed before it on that way; ``through``: load as the run-up reaches it; ``after``:
     loads that follow there; ``loads``: the last one at each speed. ``lower``: number of speeds
     below the one at which the run-up begins.
     """
@@ -239,8 +239,8 @@ class Moments(NamedTuple):
 def moments(
     past: Past, speeds: Sequence[float], force: float, between: Sequence[float] = (), parts: int = 1
 ) -> Moments:
-    """Return the points of a history up to each of ``speeds``; its ways from speed to speed lead
-    through those ``between`` [rad/s], ascending, temperatures change in so many ``parts``.
+    """Return the points of a history up to each of ``speeds``; ways lead through
+    the speeds ``between`` [rad/s], ascending, and temperatures change in ``parts`` equal steps.
 
     In the end every speed has its temperatures, and the axial ``force`` [N] on the shaft.
     """
@@ -386,7 +386,7 @@ class BearingLaws:
 
     def _bearings(self, speed: float, warm: float) -> tuple[list[AxialBearing], float]:
         """Return the bearings at a speed, and the shift of the shaft at its supports [m]."""
-        if warm not in (0.0, 1.0):  # thermal growth is linear in the temperatures
+        if warm not in (0.0, 1.0):  # growth is taken as linear in the temperatures
             (cold, cold_shift), (hot, hot_shift) = (self._bearings(speed, at) for at in (0.0, 1.0))
             between = [_between(*pair, warm) for pair in zip(cold, hot, strict=True)]
             return between, (1.0 - warm) * cold_shift + warm * hot_shift

@@ -40,17 +40,18 @@ def unknown_expansions(materials: Iterable[tuple[str, Material]]) -> Iterator[st
 def _materials(spindle: Spindle) -> Iterator[tuple[str, Material]]:
     """Yield the materials that expand between and in the bearings, with the part of each."""
     stations, shaft = [seat.x for seat in spindle.seats], spindle.shaft
+    in_fits = expansions_in_fits(spindle)
     first, last = shaft.boundaries[:-1], shaft.boundaries[1:]
     for section, left, right in zip(shaft.sections, first, last, strict=True):
         if left <= max(stations) and right >= min(stations):
             yield "shaft", section.material
     for seat in spindle.seats:
-        yield from of_bearing(seat.bearing)
-        if seat.fits is not None and seat.fits.housing:
+        yield from bearing_materials(seat.bearing)
+        if seat.fits is not None and seat.name in in_fits:
             yield "housing", seat.fits.housing_material
 
 
-def of_bearing(bearing: BallBearing) -> tuple[tuple[str, Material], ...]:
+def bearing_materials(bearing: BallBearing) -> tuple[tuple[str, Material], ...]:
     """Return the materials of rings and balls."""
     return ("rings", bearing.ring_material), ("balls", bearing.ball_material)
 

@@ -55,7 +55,7 @@ def ring_displacements(scene: Scene, load: Array) -> Array:
 def departure(scene: Scene, moved: Array | Complex) -> Array:
     """Return the relative deviation of every bearing's load at usable speeds (usable, seats): what
     its law adds to the preload state, against what its tangent adds, over the latter; infinite
-    where a bearing is overloaded, NaN where no equilibrium is found and with oil films.
+    where a bearing is overloaded or has no equilibrium, NaN with oil films.
 
     ``moved`` (usable, seats, 5): displacement of the rings, or amplitude of a harmonic one.
     """
@@ -93,7 +93,9 @@ def tangent_warnings(
     where."""
     worst = np.nan_to_num(apart, posinf=np.inf).max(axis=0, initial=0.0)
     reported = [
-        f"{name} by {100.0 * share:.0f} %" if np.isfinite(share) else f"{name} loses any state"
+        f"{name} by {100.0 * share:.0f} %"
+        if np.isfinite(share)
+        else f"{name} is overloaded or has no equilibrium"
         for name, share in zip(names, worst, strict=True)
         if share > REPORTED
     ]

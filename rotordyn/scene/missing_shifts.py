@@ -9,14 +9,14 @@ import numpy as np
 
 from bearings.materials import STEEL
 from rotordyn.arrays import Array, Indices
+from rotordyn.preload.added_loads import shift_load, shortening_load, stretch
 from rotordyn.preload.housing_expansion import expansions_in_fits
-from rotordyn.preload.unshortened import shift_load, shortening_load, stretch
 from rotordyn.results.display import RPM
 
 if TYPE_CHECKING:
     from rotordyn.scene.scene import Scene
 
-RULE = 0.1  # of the axial load of a bearing
+RULE = 0.1  # of the largest axial load at a speed
 UNFELT = 10.0  # N, of a bearing along its axis
 ALUMINIUM = 23.5e-6  # 1/K, thermal expansion: of usual materials of housings the largest
 
@@ -111,7 +111,9 @@ def _housing(scene: Scene) -> Iterator[str]:
     if most := _largest(scene, load_of, np.flatnonzero(state.usable)):
         where = "temperatures" if scene.conditions.temperatures is not None else "heat_flow"
         yield (
-            "the material of the housing is not given, which along its axis is taken to expand as "
-            f"steel, {STEEL.expansion:.3g} 1/K; one of aluminium would add {most}, to first order: "
+            "the material of the housing is not given; along its axis the housing is "
+            "taken to expand "
+            f"as steel, {STEEL.expansion:.3g} 1/K; one of aluminium would add {most}, to "
+            "first order: "
             f"give housing_expansion in {where}"
         )

@@ -56,7 +56,7 @@ def _vibration(scene: Scene) -> Iterator[str]:
         linear, name = system.linear, " and ".join(sorted(system.linear.kinds))
         if system.whirling:
             yield (
-                "every bearing and support answers alike in all directions: both planes of bending "
+                "every bearing and support is isotropic: both planes of bending "
                 "are one complex plane, half the unknowns"
             )
         if system.solved_once and len(linear.speed) > 1:

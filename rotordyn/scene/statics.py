@@ -34,7 +34,7 @@ from rotordyn.scene.stage import Clock, Memo, Staged, stage, stage_of
 
 if TYPE_CHECKING:
     from rotordyn.equation.statics import StaticRotor
-    from rotordyn.preload.heat_balance import HeatBalance
+    from rotordyn.preload.heat_balance import Flow, HeatBalance
 
 ANY_SPRING, LOCKED = (Spring(preload=1.0, stiffness=k) for k in (1e6, math.inf))
 
@@ -69,7 +69,7 @@ class Statics(Staged):
 
     @property
     def rigid(self) -> bool:
-        """True where the rotor does not bend."""
+        """True where the shaft does not bend, stretch or twist."""
         return self.conditions.rotor == "rigid"
 
     @property
@@ -225,14 +225,16 @@ class Statics(Staged):
         heat_flow = self.conditions.heat_flow
         assert heat_flow is not None
 
-        wanted = self.bearing_speed.tolist()
+        wanted, start = self.bearing_speed.tolist(), None
         on_the_way: list[float] = []
         if self.spindle.rubs:
             top = max(*wanted, *self.past.speeds)
             on_the_way += [*self.past.speeds, *evenly_spaced(self.grounded, top)]
         speed = np.unique([*wanted, *on_the_way])
+        if self.spindle.rubs:
+            start = self._without_friction(speed, heat_flow.flow)
 
-        balance = heat_balance(self.warm(speed), speed, self.grounded, heat_flow.flow)
+        balance = heat_balance(self.preload_at(speed), speed, self.grounded, heat_flow.flow, start)
         texts = dict(zip(speed.tolist(), balance.outcome, strict=True))
 
         def outcome(goal: float) -> str:
@@ -243,10 +245,26 @@ class Statics(Staged):
 
         return balance._replace(outcome=tuple(map(outcome, wanted)))
 
-    def warm(self, speed: Array) -> Callable[[Temperatures], PreloadState]:
-        """Return the preload state without loads across the axis at ``speed`` [rad/s] as a function
-        of temperatures; each call starts from the state of the last one."""
-        acting = self.grounded, speed, self.law, self.axial_force
+    def _without_friction(self, speed: Array, flow: Flow) -> Array:
+        """Return the temperatures in balance without friction (speeds, bearings, 3) [°C], close to
+        those with it, whose states take far longer; those without heat where there is no
+        balance."""
+        from rotordyn.preload.heat_balance import cold, heat_balance
+
+        with unchecked():
+            sleeves = tuple(replace(sleeve, friction=0.0) for sleeve in self.grounded.sleeves)
+            smooth = replace(self.grounded, sleeves=sleeves)
+        balance = heat_balance(self.preload_at(speed, smooth), speed, smooth, flow)
+        failed = np.array(balance.outcome, dtype=str) != ""
+        return np.where(failed[:, None, None], cold(flow), balance.values)
+
+    def preload_at(
+        self, speed: Array, spindle: Spindle | None = None
+    ) -> Callable[[Temperatures], PreloadState]:
+        """Return the preload state without loads across the axis at ``speed`` [rad/s], of another
+        ``spindle`` if given, as a function of temperatures; each call starts from the state of the
+        last one."""
+        acting = spindle or self.grounded, speed, self.law, self.axial_force
         last: PreloadState | None = None
 
         def solve(temperatures: Temperatures) -> PreloadState:

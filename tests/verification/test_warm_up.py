@@ -190,7 +190,7 @@ def test_twice_the_capacity_takes_twice_as_long() -> None:
     here, capacity = scene(9e3), np.array([[30.0, INNER, OUTER]] * 4)
     short, long = (
         warming(
-            here.warm(here.speed),
+            here.preload_at(here.speed),
             here.speed,
             here.spindle,
             FLOW.flow,
@@ -221,7 +221,7 @@ def test_a_general_integrator_finds_the_same() -> None:
     names = tuple(seat.name for seat in seats)
     pitches = np.array([seat.bearing.pitch_diameter for seat in seats])
     capacity = np.array([[ball_capacity(seat.bearing), INNER, OUTER] for seat in seats])
-    solve, outside_of = here.warm(at), over_time(spec(minutes, **LATE), flow)
+    solve, outside_of = here.preload_at(at), over_time(spec(minutes, **LATE), flow)
 
     def rate(time: float, flat: Array) -> Array:
         now = flow._replace(surroundings=outside_of(time))
@@ -428,7 +428,7 @@ def loads_over_time(
     """Axial loads (t, bearings) over three minutes in a few steps."""
     here, capacity = scene(9e3), np.array([[30.0, INNER, OUTER]] * 4)
     late = replace(spec(1.0), shaft_time_constant=shaft, housing_time_constant=housing)
-    machine = here.warm(here.speed), here.speed, here.spindle, flow
+    machine = here.preload_at(here.speed), here.speed, here.spindle, flow
     begin = Begin(np.full((4, 3), START), capacity)
     return warming(*machine, begin, over_time(late, flow), 180.0, 8, lambda _: None).load[0]
 
@@ -656,7 +656,10 @@ def test_a_fit_that_lets_go_on_the_way_is_named_with_its_times() -> None:
     assert not [words for words in warnings(warmed()[1]) if "lets go" in words]
     always = np.minimum(result.inner_fit_pressure, 1.0) * 0.0
     (sentence,) = [w for w in warnings(replace(result, inner_fit_pressure=always)) if "lets" in w]
-    assert "from 0 s after the start on at 9000 rpm (so, no longer, b, c, d)" in sentence
+    assert (
+        "from 0 s after the start on at 9000 rpm (as do those of b, c, d, for no longer)"
+        in sentence
+    )
 
 
 def test_stress_of_inner_rings_on_the_way_is_that_at_these_temperatures() -> None:

@@ -30,8 +30,8 @@ HIGHER = 1.01  # highest frequency followed between two speeds, over that of the
 
 class Threshold(NamedTuple):
     """``speed`` [rad/s] from which a motion grows, infinite without one; ``is_bound`` where it
-    grows at the lowest speed known already, which only bounds the threshold; ``name`` of the mode,
-    ``DIVERGENCE``, or ""."""
+    already grows at the lowest speed at which it is solved, which only bounds the threshold;
+    ``name`` of the mode, ``DIVERGENCE``, or ""."""
 
     speed: float
     is_bound: bool = False
@@ -43,7 +43,7 @@ def stability_threshold(
 ) -> Threshold:
     """Return the lowest speed of the case's range at which a followed mode begins to grow."""
 
-    def onset(subsystem: int, speed: Array, growing: Flags, valid: Flags) -> tuple[float, bool]:
+    def begin_at(subsystem: int, speed: Array, growing: Flags, valid: Flags) -> tuple[float, bool]:
         row = int(growing.argmax())
         if row and valid[row - 1]:
             low, high = float(speed[row - 1]), float(speed[row])
@@ -60,13 +60,13 @@ def stability_threshold(
         track = branch.track
         growing = grows(track.pole, largest[branch.subsystem])
         if growing.any():
-            begin = onset(branch.subsystem, track.speed, growing, ~track.lost)
+            begin = begin_at(branch.subsystem, track.speed, growing, ~track.lost)
             onsets.append((*begin, name, branch.subsystem))
     for subsystem in scene.with_motions(MOTIONS):
         diverging = np.asarray(_diverging(scene.system(subsystem)).any(axis=1))
         if diverging.any():
             speed, known = scene.speed[scene.usable], np.ones_like(diverging)
-            begin = onset(subsystem, speed, diverging, known)
+            begin = begin_at(subsystem, speed, diverging, known)
             onsets.append((*begin, DIVERGENCE, subsystem))
     if not onsets:
         return Threshold(math.inf)
@@ -137,6 +137,7 @@ def _onset(
     try:
         values = growth(low), growth(high)
         if not values[0] < 0.0 < values[1]:
+            # growth jumped, or is rounding, at one end
             return low if values[0] >= 0.0 else high, False
         return float(brentq(growth, low, high, xtol=CLOSE * high, rtol=CLOSE)), False
     except NoSolution:

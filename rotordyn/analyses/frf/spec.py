@@ -41,7 +41,7 @@ class FrfSpec(Spec):
         tuple[Annotated[tuple[Port, Port], Pair()], ...],
         Items(),
         Key(missing="it must be given, or matrix"),
-        "responses and excitations of single FRFs; these or `matrix`, or both",
+        "responses and excitations of single FRFs; may be left out where `matrix` is given",
     ]
     slices: Annotated[
         tuple[Speed, ...],

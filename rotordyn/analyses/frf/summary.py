@@ -106,7 +106,8 @@ def _line(result: FrequencyResponse, row: int) -> str:
     if math.isfinite(noise):
         growth = result.measured_calibration[row]
         uncertainty = (
-            f", uncertain by {noise:.1%} by noise and by {growth:.0f}% for each 1% (or 0.6°) of "
+            f", uncertain by {100.0 * noise:.1f} % by noise and by {growth:.0f} % for each 1 "
+            "% (or 0.6°) of "
             "calibration"
         )
     return f"{head}: FRAC {result.frac[row]:.3f}{uncertainty}{compared}"
@@ -128,7 +129,8 @@ def warnings(result: FrequencyResponse) -> list[str]:
         if not math.isfinite(result.frac[row])
     ]
     sentences += [
-        f"{name}: the noise of the measurement makes {noise:.0%} of it, most at its highest peaks: "
+        f"{name}: the noise of the measurement makes {100.0 * noise:.0f} % of it, most at "
+        "its highest peaks: "
         "take a shorter blank, or more averages"
         for name, noise in zip(result.measured, result.measured_error, strict=True)
         if noise > NOISY

@@ -35,8 +35,8 @@ def summary(result: StabilityLobesResult) -> list[str]:
     error = [*_errors(result, int(np.nanargmax(worst)), "largest")]
     if stable.sum() > 1:
         error += _errors(result, int(np.nanargmin(worst)), "smallest")
-    swing = np.where(stable, result.tip_vibration.max(axis=1), 0.0)
-    most = int(swing.argmax())
+    vibration = np.where(stable, result.tip_vibration.max(axis=1), 0.0)
+    most = int(vibration.argmax())
     force, torque, power = (
         float(np.nanmax(values))
         for values in (result.cutting_force, result.cutting_torque, result.cutting_power)
@@ -45,7 +45,8 @@ def summary(result: StabilityLobesResult) -> list[str]:
     return [
         f"cut        {what}: {where}",
         f"surface    error {'; '.join(error)} (positive: material is left)",
-        f"vibration  of the tip{against} up to {_micrometre(float(swing[most]))} from peak to peak "
+        f"vibration  of the tip{against} up to {_micrometre(float(vibration[most]))} from "
+        "peak to peak "
         f"at {_milling_rpm(result, most)}",
         unbroken(
             f"forces     up to {number(force)} N; mean torque {number(torque, 3)} N m, power up to "

@@ -97,7 +97,8 @@ class PlannedCut(Description):
 
     depth: Annotated[CutDepth, "axial depth of cut"]
     tangential_edge: Annotated[
-        EdgeForce, "tangential edge force by length of edge in cut, Kte; it stands for wear"
+        EdgeForce,
+        "tangential edge coefficient Kte: edge force by length of edge in cut; it stands for wear",
     ] = 0.0
     radial_edge: Annotated[EdgeForce, "radial edge coefficient Kre"] = 0.0
     runout: Annotated[
@@ -159,7 +160,8 @@ class StabilityLobesSpec(Spec):
         "([how](howto/measured_spindle.md))",
     ] = None
     max_frequency: Annotated[
-        Frequency, "up to which the machine is modelled, or higher while limits change by that"
+        Frequency,
+        "frequency up to which the machine is modelled, raised while limits change by that",
     ] = 4000.0
     speeds: Annotated[
         tuple[TopSpeed, ...],

@@ -18,8 +18,8 @@ class ThermalPreloadSpec(Spec):
         tuple[TemperatureDifference, ...],
         Sweep(),
         Items(2, 1000),
-        "added to the temperatures of shaft, inner rings and, where given, balls (else the mean of "
-        "both rings) in the conditions",
+        "differences added to the temperatures of shaft and inner rings, and to those of balls "
+        "where given (else balls have the mean of both rings)",
     ]
 
     def _faults(self) -> Faults:

@@ -107,10 +107,11 @@ class TimeResponseSpec(Spec):
     duration: Annotated[TimeSpan, "simulated time"]
     max_frequency: Annotated[
         Frequency,
-        "up to which the machine is modelled; forces have none above it, and results are given "
+        "frequency up to which the machine is modelled; forces have none above it, and "
+        "results are given "
         f"{SAMPLES} times in its period",
     ]
-    points: Annotated[tuple[PointName, ...], Items(), "where motion is given"]
+    points: Annotated[tuple[PointName, ...], Items(), "points whose motion is given"]
     forces: Annotated[tuple[ForceOverTime, ...], "forces on the shaft"] = ()
     unbalances: Annotated[tuple[Unbalance, ...], "unbalances at points or stations"] = ()
     stop_stiffness: Annotated[

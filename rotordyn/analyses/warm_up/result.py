@@ -22,10 +22,10 @@ class WarmUpResult:
 
     ``ended`` [s]: the last instant with values, ``ending`` why it is not the end of the duration.
     ``axial_load`` in the frame of a bearing, below 0 where one that carries both directions is
-    loaded from the other side; ``…_fit_pressure``: 0 where a ring is loose; ``largest_load``
-    its amount at ``largest_time``; ``steady_load``,
-    ``steady_…``: in thermal balance; ``unbalanced``: why there is none. ``error``: largest change
-    of a temperature by halving the steps [K], of speeds that do not end early.
+    loaded from the other side; ``largest_load``: its largest amount, at ``largest_time``;
+    ``…_fit_pressure``: 0 where a ring is loose; ``steady_load``, ``steady_…``: in thermal balance;
+    ``unbalanced``: why there is none. ``error``: largest change of a temperature by halving the
+    steps [K], of speeds that do not end early.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")

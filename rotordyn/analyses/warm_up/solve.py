@@ -38,18 +38,18 @@ def solve(scene: Scene, spec: WarmUpSpec) -> WarmUpResult:
 
     def run(steps: int) -> Warming:
         require_history(f"warm_up: {steps} steps at {len(speed)} speeds", 0, steps * len(speed))
-        machine = scene.warm(speed), speed, scene.spindle, heat.flow
+        machine = scene.preload_at(speed), speed, scene.spindle, heat.flow
         return warming(*machine, begin, surroundings_at, spec.duration, steps, _watch(scene, steps))
 
     steps, fine = STEPS, run(STEPS)
     while True:
         coarse, steps = fine, 2 * steps
         fine = run(steps)
-        through, coarse_through = (np.array(history.ending) == "" for history in (fine, coarse))
+        through, coarse_through = (np.array(each.ending) == "" for each in (fine, coarse))
         # the finer run has every instant of the coarser one
         change = np.abs(fine.temperature[through, ::2] - coarse.temperature[through])
         error = float(np.nanmax(change, initial=0.0))  # runaway has no bound
-        end, coarse_end = (history.time[history.last] for history in (fine, coarse))
+        end, coarse_end = (each.time[each.last] for each in (fine, coarse))
         converged = (through == coarse_through) & (np.abs(end - coarse_end) <= NEAR * end)
         if (error <= ENOUGH and converged.all()) or steps >= MOST_STEPS:
             break

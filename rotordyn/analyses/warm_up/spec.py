@@ -38,8 +38,9 @@ class WarmUpSpec(Spec):
     ] = None
     shaft_time_constant: Annotated[
         Duration | None,
-        "time constant of the shaft: after it 63 % of the way from `start` to its temperature is "
-        "covered, on which its length depends; by default it has that from the start",
+        "time constant of the shaft: within it 63 % of the way from `start` to its final "
+        "temperature is covered, and its length follows; by default it has the final temperature "
+        "from the start",
     ] = None
     housing_time_constant: Annotated[Duration | None, "time constant of the housing, likewise"] = (
         None

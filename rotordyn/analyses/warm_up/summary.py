@@ -159,7 +159,7 @@ def _overshoot(result: WarmUpResult) -> Iterator[str]:
     worst = np.where(above, result.largest_load, 0.0)
     row, k = (int(place) for place in np.unravel_index(int(worst.argmax()), worst.shape))
     others = [name for j, name in enumerate(result.bearing) if j != k and above[:, j].any()]
-    also = f" (so, less, {', '.join(others)})" if others else ""
+    also = f" (also, by less, {', '.join(others)})" if others else ""
     yield (
         f"bearing {result.bearing[k]} carries {result.largest_load[row, k]:.0f} N along its axis "
         f"{in_words(result.largest_time[row, k])} after the start at {_rpm(result, row)}, "
@@ -185,7 +185,7 @@ def _loose_rings(result: WarmUpResult) -> Iterator[str]:
         others = [
             name for j, name in enumerate(result.bearing) if j != k and (length[:, j] >= 0.0).any()
         ]
-        also = f" (so, no longer, {', '.join(others)})" if others else ""
+        also = f" (as do those of {', '.join(others)}, for no longer)" if others else ""
         on = last[row, k] == _last(result, row)
         when = f"from {begin} after the start on" if on else f"{begin} to {end} after the start"
         yield (

@@ -27,6 +27,7 @@ from rotordyn.errors import InvalidInput
 from rotordyn.machine.assembly import unknown
 from rotordyn.numerics.pole_count import Counted, counted_without_outliers
 from rotordyn.numerics.pole_refinement import Refined, refined
+from rotordyn.numerics.sample_noise import LEAST_COHERENCE
 from rotordyn.numerics.threads import linear_algebra_alone
 from rotordyn.results.display import RPM, is_rotation
 from rotordyn.scene.scene import Scene
@@ -111,7 +112,7 @@ class Responses(AsksNothing):
         """Standard deviation of each part over the magnitude of a response (f,)."""
         if self.averages is None:
             return np.full(len(one.frequency), self.noise)
-        coherence = np.clip(np.array(one.coherence), 1e-6, 1.0 - INCOHERENT)
+        coherence = np.clip(np.array(one.coherence), LEAST_COHERENCE, 1.0 - INCOHERENT)
         return np.asarray(np.sqrt((1.0 - coherence) / (2.0 * self.averages * coherence)))
 
     def compared(self, one: MeasuredResponse) -> Flags:

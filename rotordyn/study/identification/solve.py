@@ -167,7 +167,7 @@ def identify(  # noqa: PLR0913 - all of it describes one identification
         by profile likelihood
     criterion : mean absolute difference up to which a model suffices, with its unit, such as
         "1 um"; without it χ² decides
-    minimise : "squares" of differences over noise, or their "absolute" mean
+    minimise : "squares" of differences over noise, or "absolute": the mean of their absolute values
     starts : number of starts of each search: the stated one, then the best of some drawn at random
     seed : of the random starts
     workers : processes; as many as there are processors by default

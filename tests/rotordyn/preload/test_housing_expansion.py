@@ -135,6 +135,13 @@ def test_materials_without_an_expansion_are_named_with_their_parts() -> None:
     (sentence,) = said(machine(UNKNOWN, shaft=UNKNOWN), words)
     assert sentence.startswith("shaft and housing of no known one: ")
     assert not said(machine(UNKNOWN, shaft=UNKNOWN), words, friction=0.2)
+    along = machine(UNKNOWN)  # the material of its housing is known, not the fit there
+    seats = tuple(
+        replace(s, fits=Fits(shaft="k5", bore_diameter=0.07, housing_material=UNKNOWN))
+        for s in along.seats
+    )
+    (sentence,) = said(replace(along, seats=seats), words)
+    assert sentence.startswith("housing of no known one: ")
     assert not said(machine(STEEL), words)
     balls = replace(SILICON_NITRIDE, thermal_expansion=None)
     bare = machine()

@@ -111,7 +111,7 @@ def test_rings_without_a_state_depart_by_any_share(
     assert apart[0, 0] == np.inf
     assert (apart[0, 1:] == 0.0).all()
     (warning,) = tangent_warnings("unbalance", ("a", *"bcde"), scene.speed, apart)
-    assert "first at 12000 rpm: a loses any state" in warning
+    assert "first at 12000 rpm: a is overloaded or has no equilibrium" in warning
 
 
 def test_beside_films_nothing_is_compared() -> None:

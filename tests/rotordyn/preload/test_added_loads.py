@@ -15,7 +15,7 @@ from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
-from rotordyn.preload.unshortened import shift_load, shortening_load, stretch
+from rotordyn.preload.added_loads import shift_load, shortening_load, stretch
 from rotordyn.scene.scene import Scene
 from tests.oracles.spindles import RPM, conditions, mfw2310
 

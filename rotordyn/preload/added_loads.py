@@ -1,5 +1,8 @@
-"""Axial loads that shifts of the shaft would add where they are not modelled, to first order: by
-speed, by forces along the axis, and by a housing that expands otherwise."""
+"""Axial loads that shifts of the shaft would add where they are not modelled.
+
+To first order, of shifts by speed, by forces along the axis, and by a housing that expands
+otherwise.
+"""
 
 from __future__ import annotations
 
