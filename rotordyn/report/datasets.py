@@ -79,6 +79,6 @@ def _kinds(of: str, name: str) -> Iterator[type]:
 
 def _value(values: np.ndarray[Any, Any], hint: Any) -> Any:
     """Convert an array to the type annotated for a field: a number, a text, words or the array."""
-    if hint in (float, int, str):
+    if hint in (bool, float, int, str):
         return hint(values[()])
     return tuple(values.tolist()) if hint == tuple[str, ...] else values

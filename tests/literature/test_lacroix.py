@@ -181,5 +181,6 @@ def test_models_of_the_library(name: str, drawing: Drawing, shoulders: tuple[flo
     for field in fields(plain):
         known, here = getattr(four_point(drawing), field.name), getattr(plain, field.name)
         if field.name.endswith("material"):
-            known, here = replace(known, name=""), replace(here, name="")
+            unprinted = {"name": "", "thermal_expansion": None}
+            known, here = replace(known, **unprinted), replace(here, **unprinted)
         assert here == known or here == pytest.approx(known, rel=1e-12), field.name
