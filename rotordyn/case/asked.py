@@ -146,7 +146,7 @@ def _farthest(case: Case, uncertain: Tolerance, end: float) -> float:
 def _left(result: Tolerance | str, path: str, text: str) -> str:
     """Sentence on a usual tolerance that is omitted or reduced; empty if it applies."""
     if isinstance(result, str):
-        return f"{path} {text} is left out: {result.removeprefix(f'{path}: ')}"
+        return f"{path} {text} is omitted: {result.removeprefix(f'{path}: ')}"
     if result.text == text:
         return ""
     ends = ", ".join(dict.fromkeys(map(result.shown, result.ends)))

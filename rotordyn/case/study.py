@@ -35,7 +35,7 @@ class SpanEntry:
 
 @dataclass(frozen=True, slots=True)
 class StudyFile:
-    """A study: one case solved at many points of what is varied in it."""
+    """A study: one case solved at many points of its varied values."""
 
     title: Annotated[str, Key(default=""), "one line, shown in summary and figures"]
     case: Annotated[str, "path of a case file, or the name of a case that comes with rotordyn"]
@@ -91,7 +91,7 @@ class LimitEntry:
 
 @dataclass(frozen=True, slots=True)
 class OptimumFile:
-    """An optimum: the best of what may be varied in one case."""
+    """An optimum: the best design of one case within given choices and limits."""
 
     title: Annotated[str, Key(default=""), "one line, shown in summary and figures"]
     case: Annotated[str, "path of a case file, or the name of a case that comes with rotordyn"]

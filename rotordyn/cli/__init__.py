@@ -29,7 +29,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         complain(why)
         return 2
     except MemoryError:
-        complain("out of memory: take fewer speeds, steps or points, or give it more memory")
+        complain("out of memory: use fewer speeds, steps or points, or give it more memory")
         return 2
     except BaseException as error:
         stop = interruption(error)

@@ -44,18 +44,20 @@ def _add_run(commands: Any) -> None:
         "--format", metavar="NAME,…", help="of figures: png (300 dpi, as without this), pdf, svg"
     )
     run.add_argument(
-        "--explain", action="store_true", help="also print what was solved, spared and skipped, why"
+        "--explain",
+        action="store_true",
+        help="also print what was solved, reused or skipped, why",
     )
     run.add_argument(
         "--interval",
         action="store_true",
-        help="also the range of every result over what is uncertain of the case",
+        help="also the range of every result over the uncertain values of the case",
     )
     run.add_argument("--report", action="store_true", help=REPORT)
     run.add_argument(
         "--longest", type=float, metavar="S", help="seconds that it may take by estimate (600)"
     )
-    run.add_argument("--yes", action="store_true", help="however long and large it is")
+    run.add_argument("--yes", action="store_true", help="whatever time and memory it needs")
     run.add_argument("--quiet", action="store_true", help=QUIET)
     run.add_argument(
         "--strict", action="store_true", help="exit with 3 if any speed has no physical solution"
@@ -64,17 +66,17 @@ def _add_run(commands: Any) -> None:
 
 
 def _add_studies(commands: Any) -> None:
-    sweep = _study(commands, "sweep", "solve a case at many points of what is varied in it")
+    sweep = _study(commands, "sweep", "solve a case at many points of its varied values")
     sweep.add_argument("study", metavar="STUDY", help="study file (YAML)")
     sweep.add_argument(
         "--cluster", metavar="ADDRESS", help="of a dask scheduler whose workers solve instead"
     )
     sweep.add_argument("--yes", action="store_true", help="even if it takes more than an hour")
     sweep.set_defaults(command=studies.sweep)
-    best = _study(commands, "optimise", "find the best of what may be varied in a case")
+    best = _study(commands, "optimise", "find the best design within given choices and limits")
     best.add_argument("optimum", metavar="OPTIMUM", help="file of goals and limits (YAML)")
     best.set_defaults(command=studies.optimise)
-    found = _study(commands, "identify", "find the numbers of a case that show what was measured")
+    found = _study(commands, "identify", "identify values of a case from measurements")
     found.add_argument("study", metavar="STUDY", help="file of unknowns and measurements (YAML)")
     found.add_argument("--report", action="store_true", help=REPORT)
     found.set_defaults(command=studies.identify)

@@ -22,7 +22,7 @@ from rotordyn.job.pages import REPORT
 from rotordyn.job.results import inputs_of
 from rotordyn.job.solved import Solution, SolvedResults, run
 
-ENDED = "figures left out: the run was ended before; rotordyn.open and plot draw them"
+ENDED = "figures omitted: the run was ended before; rotordyn.open and plot draw them"
 
 
 @dataclass(frozen=True, slots=True)
@@ -147,7 +147,7 @@ def _too_long(figures: int, pictures: Sequence[Pictures]) -> Omitted:
     try:
         require_figures(count, sum(each.count for each in pictures))
     except TooCostly as error:
-        return Omitted({"figures": f"{error}"}, (f"figures left out: {error}",))
+        return Omitted({"figures": f"{error}"}, (f"figures omitted: {error}",))
     return Omitted()
 
 
@@ -163,7 +163,7 @@ def _attempted(name: str, write: Callable[[], object]) -> Omitted:
             raise
     except LeftOut as reason:
         why = str(reason)
-    return Omitted({name: why}, (f"{name} left out: {why}",))
+    return Omitted({name: why}, (f"{name} omitted: {why}",))
 
 
 def _plan(solution: Solution, seconds: Mapping[str, float], omitted: Omitted) -> str:

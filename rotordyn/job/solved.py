@@ -50,7 +50,7 @@ class Solution:
         if self.stop is None:
             return self.lost
         why = str(self.stop) or "interrupted"
-        return f"{', '.join(self.missing)} left out: {why}", *self.lost
+        return f"{', '.join(self.missing)} omitted: {why}", *self.lost
 
     @property
     def results(self) -> dict[str, Any]:

@@ -80,8 +80,8 @@ def _unconverged(scene: Scene, band: Band, branches: list[Branch], errors: ModeE
         reasons.append(f"frequencies change by up to {most:.0e} as the model is refined")
     if rounded > accuracy:
         reasons.append(
-            f"rounding moves frequencies by up to {rounded:.0e}, beside supports that are far "
-            "stiffer than the shaft: hold them rigid"
+            f"rounding errors change frequencies by up to {rounded:.0e}, because supports are far "
+            "stiffer than the shaft: make them rigid"
         )
     slow = _largest(errors.frequency, _judged(scene, branches, band, overdamped=True))
     if slow > accuracy:

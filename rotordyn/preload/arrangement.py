@@ -220,7 +220,7 @@ def side_by_side(machines: Sequence[Arrangement]) -> Arrangement:
     first, count = machines[0], [len(m.speed) for m in machines]
     if len(machines) == 1:
         return first
-    assert all(m.structure == first.structure for m in machines), "machines built otherwise"
+    assert all(m.structure == first.structure for m in machines), "machines of different structure"
     bearings = []
     for k, bearing in enumerate(first.bearings):
         copies = [m.bearings[k] for m in machines]

@@ -56,7 +56,7 @@ def without_state(which: str, speed: float, growth: float) -> NoSolution:
     """Return the error of a bearing without any axial state at a speed [rad/s] and growth [m]."""
     return NoSolution(
         f"{which} at {speed * 30.0 / np.pi:.6g} rpm, groove growth {growth * 1e6:.4g} µm: "
-        "it has no axial state at any deflection; lower the speed or the growth"
+        "no axial equilibrium at any deflection; lower the speed or the growth"
     )
 
 

@@ -94,7 +94,7 @@ def heat_balance(
         active &= ~over & (size >= TOLERANCE)
         if not active.any():
             break
-    failures[active] = "temperatures do not settle: cool more, lower the preload or take springs"
+    failures[active] = "temperatures do not converge: cool more, lower the preload or use springs"
     outcome = tuple(
         f"bearings at {rpm:.0f} rpm: {failure}" if failure else ""
         for failure, rpm in zip(failures, speed * 30.0 / np.pi, strict=True)
@@ -124,7 +124,7 @@ def run_away(values: Array, names: tuple[str, ...]) -> str:
     hot = [name for name, row in zip(names, values, strict=True) if row.max() > HOTTEST]
     return (
         f"temperatures run away at bearing{'s' * (len(hot) > 1)} {', '.join(hot)}, "
-        f"{values.max():.0f} °C and rising; lower speed or preload, take a thinner oil or cool more"
+        f"{values.max():.0f} °C and rising; lower speed or preload, use a thinner oil or cool more"
     )
 
 

@@ -65,8 +65,8 @@ def mounted_preloads(spindle: Spindle) -> list[float]:
 
     if not residual(-LONGEST) <= 0.0 <= residual(LONGEST):
         raise InvalidInput(
-            f"sleeves {', '.join(sleeve.name for sleeve in spindle.sleeves)}: together they press "
-            "the bearings beyond what they bear: lower their preloads"
+            f"sleeves {', '.join(sleeve.name for sleeve in spindle.sleeves)}: together they "
+            "overload the bearings: lower their preloads"
         )
     shaft = float(brentq(residual, -LONGEST, LONGEST, xtol=EXACT))
     for k, side in by_offset.items():
@@ -84,13 +84,13 @@ def _require_pressed(
     if force > LIGHTEST and not overloaded:
         return
     total = offset + sum(side.gained for side in sides(spindle, sleeve))
-    what, remedy = "leaves play in its bearings as mounted", "a larger one"
+    what, remedy = "leaves clearance in its bearings as mounted", "a larger one"
     if overloaded:
-        what, remedy = "presses its bearings beyond what they bear", "a smaller one"
-        remedy += ", or lower the preloads beside it" * (len(spindle.sleeves) > 1)
+        what, remedy = "overloads its bearings", "a smaller one"
+        remedy += ", or lower the preloads of the other sleeves" * (len(spindle.sleeves) > 1)
     raise InvalidInput(
         f"sleeve {sleeve.name}: an offset of {offset * 1e6:.3g} µm {what} "
-        f"({total * 1e6:.3g} µm with what the fits take up): give {remedy}"
+        f"({total * 1e6:.3g} µm with the expansion by the fits): give {remedy}"
     )
 
 
@@ -193,8 +193,8 @@ def sides(spindle: Spindle, sleeve: Sleeve) -> tuple[Side, Side]:
     facing = _in_housing(spindle, spring_direction(spindle, sleeve))
     if not facing:
         raise InvalidInput(
-            f"sleeve {sleeve.name}: nothing in the housing takes the thrust of its bearings: a "
-            "preload by offset or by class needs bearings that face them"
+            f"sleeve {sleeve.name}: no bearing in the housing takes the thrust of its bearings: a "
+            "preload by offset or by class needs bearings that oppose them"
         )
     return Side(spindle, on_sleeve), Side(spindle, facing)
 

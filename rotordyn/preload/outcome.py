@@ -67,9 +67,9 @@ def _sideways(
     names = ", ".join(entry_name(*ends) for ends in pushing[0].axial_coupling)
     rpm = network.arrangement.speed[row] * 30.0 / math.pi
     return (
-        f"support {pushing[0].name} pushes the shaft aside at {rpm:.0f} rpm, where it stands "
+        f"support {pushing[0].name} pushes the shaft sideways at {rpm:.0f} rpm, where the shaft is "
         f"{shift * 1e6:+.2g} µm from rest ({names}): bearings are solved under axial load alone; "
-        "leave these entries out, or let the state at rest serve every speed"
+        "omit these entries, or use the state at rest at every speed"
     )
 
 
@@ -98,7 +98,7 @@ def unpreloaded(spindle: Spindle, network: Network, row: int) -> str:
     force, rpm = pushed(network), network.arrangement.speed[row] * 30.0 / math.pi
     if not spindle.sleeves and not force:
         return (
-            f"no bearing is preloaded at {rpm:.0f} rpm, and no sleeve presses any: put one on a "
+            f"no bearing is preloaded at {rpm:.0f} rpm, and no sleeve preloads any: put one on a "
             "sleeve with a spring, give an arrangement with its preload, or an axial force"
         )
     advice = f" of {LEAST_PRELOAD:g} N or more: given {force:.3g} N" if force else ""
@@ -124,15 +124,16 @@ def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int, *,
             f"bearing {names[idle[0]]} is unloaded at {rpm:.0f} rpm (preload lost): raise the "
             "preload"
             + " or lower the axial force" * bool(network.arrangement.force)
-            + " or lessen the differences of temperature" * warm
+            + " or reduce the differences of temperature" * warm
         )
     loose = np.flatnonzero((net.response.slope[row] <= 0.0) & network.both_ways)
     if loose.size:
         return (
-            f"bearing {names[loose[0]]} stands within its play at {rpm:.0f} rpm: no ball is "
-            "pressed, and without loads across the axis nothing says where in it the shaft lies, "
-            "though it may well be held elsewhere: let a spring or an axial force load the "
-            "bearing, take away its play, or give what lies across (gravity, loads)"
+            f"bearing {names[loose[0]]} is within its clearance at {rpm:.0f} rpm: no ball is "
+            "loaded, and without loads across the axis the position of the shaft in it is "
+            "undetermined, even if other parts restrain the shaft: load the bearing by a spring "
+            "or an axial force, remove its clearance, or give the loads across the axis "
+            "(gravity, loads)"
         )
     if not net.converged[row]:
         return _unbalanced(network.arrangement, rpm)
@@ -194,14 +195,14 @@ def pushed_apart(names: Sequence[str], load: Array, both_ways: Flags, rpm: float
         return ""
     return (
         f"the loads push bearing {names[apart[0]]} apart at {rpm:.0f} rpm, so far that its balls "
-        "would press against the side that takes no thrust: lower them, or give the sleeves end "
+        "would touch the side that takes no thrust: lower the loads, or give the sleeves end "
         "stops"
     )
 
 
 def _unbalanced(joined: Arrangement, rpm: float) -> str:
     if not joined.force:
-        return f"the axial arrangement finds no equilibrium at {rpm:.0f} rpm: raise the preload"
+        return f"the axial arrangement has no equilibrium at {rpm:.0f} rpm: raise the preload"
     return (
         f"nothing balances the axial force of {joined.force:.4g} N on the shaft at {rpm:.0f} rpm: "
         "lower it, or raise the preload" + ", or give the sleeves end stops" * bool(joined.pushes)

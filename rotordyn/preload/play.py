@@ -135,8 +135,8 @@ class AtSpeed:
         outside = (right == 0) | (right == len(grid))
         if outside.any():
             raise NoSolution(
-                f"the shaft has no axial equilibrium under {force[outside][0]:.6g} N: nothing "
-                "holds it any longer; lower the force, or hold it with a spring or a stop"
+                f"the shaft has no axial equilibrium under {force[outside][0]:.6g} N: it is "
+                "no longer restrained; lower the force, or restrain it by a spring or a stop"
             )
         left = right - 1
         ends = (grid[left], load[left] - force), (grid[right], load[right] - force)

@@ -106,21 +106,21 @@ def interval_doubts(interval: Interval) -> Iterator[str]:
     errors = interval.numerical_error[np.isfinite(interval.numerical_error)]
     if errors.size:
         largest = rounded_up(float(errors.max()))
-        yield f"beside it  the numerical error, within {largest} of these numbers"
+        yield f"numerical  error, within {largest} of these numbers, not included"
     far = np.flatnonzero(np.nan_to_num(interval.interaction) > FAR)
     if far.size:
         worst = max(far, key=lambda k: interval.interaction[k])
         marked = (interval.interaction[_shown(interval)] > ROUGH).any()
         yield (
-            f"{DOUBTFUL if marked else 'note':10} tolerances act on one another: with all off at "
-            "once, "
+            f"{DOUBTFUL if marked else 'note':10} tolerances interact: with all of them applied "
+            "together, "
             f"{interval.number[worst]} is {interval.interaction[worst]:.0%} of its range from the "
-            "sum of their effects; samples tell"
+            "sum of their effects; samples give the exact range"
         )
     if interval.narrowed:
         yield f"note       {interval.narrowed}"
     if interval.lost:
-        yield f"note       left out, without a solution: {shortened(interval.lost, 300)}"
+        yield f"note       omitted, without a solution: {shortened(interval.lost, 300)}"
 
 
 def write_interval(folder: Path, interval: Interval) -> None:

@@ -21,7 +21,7 @@ def plan(
     ``spared``: sentences; ``skipped``: stages and pictures that were not made -> why; ``job``:
     seconds of the work outside the stages.
     """
-    lines = ["stages, each below what first asked for it, and its own time"]
+    lines = ["stages, each below the one that first needed it, with its own time"]
     lines += _tree(seconds, parents, "", 1)
     lines += [_timed(name, value, 1) for name, value in job.items()]
     if spared:

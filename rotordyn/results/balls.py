@@ -91,8 +91,8 @@ def no_film(gone: NDArray[np.bool_], speed: NDArray[np.float64]) -> str:
     if not gone.any():
         return ""
     return (
-        f"films count as 0 {which_of(speed, gone)}, where the formula of inlet heating ends for "
-        "an oil this thick; take a thinner or a warmer one"
+        f"films are taken as 0 {which_of(speed, gone)}, where the oil is too viscous for "
+        "the formula of inlet heating; use a thinner or a warmer one"
     )
 
 
@@ -102,7 +102,7 @@ def softened(factor: NDArray[np.float64], speed: NDArray[np.float64]) -> str:
     if not hot.any():
         return ""
     return (
-        f"hotter than 150 °C {which_of(speed, hot)}: the dynamic rating is down to "
+        f"hotter than 150 °C {which_of(speed, hot)}: the dynamic rating falls to "
         f"{100.0 * np.nanmin(factor):.0f} % there; cool it"
     )
 

@@ -40,6 +40,6 @@ def runaway(step: Step, share: float, v: Array) -> NoEquilibrium:
     return NoEquilibrium(
         share,
         body,
-        f"body {body} has no equilibrium under {under}: nothing holds it any longer; lower the "
-        "force, or hold it with a spring or a stop",
+        f"body {body} has no equilibrium under {under}: it is no longer restrained; lower the "
+        "force, or restrain it by a spring or a stop",
     )

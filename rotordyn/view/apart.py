@@ -88,7 +88,7 @@ class Rendering:
         if why:
             raise NoPictures(why)
         if code:
-            raise NoPictures(f"this machine draws nothing in 3D ({self._reason(code)}): {REMEDY}")
+            raise NoPictures(f"this computer cannot render in 3D ({self._reason(code)}): {REMEDY}")
 
     def still(self, order: int, speed: int, mode: int) -> Pixels:
         """Return the picture of a mode at a speed, (height, width, 3); ``order``: its number."""

@@ -90,10 +90,10 @@ def test_a_run_that_is_ended_in_an_analysis_keeps_those_before(
     first, text = FIRST[name]
     monkeypatch.setattr(f"rotordyn.analyses.{name}.solve.solve", stop)
     assert ended(text, tmp_path, *words) == code
-    assert f"not solved: {name} left out: {why}" in capsys.readouterr().err
+    assert f"not solved: {name} omitted: {why}" in capsys.readouterr().err
     results = rotordyn.open(tmp_path / "out")
     assert list(results) == list(results.case.analyses) == [first]
-    assert any(note.startswith("figures left out: the run was ended") for note in results.notes)
+    assert any(note.startswith("figures omitted: the run was ended") for note in results.notes)
     assert not [*(tmp_path / "out").glob("*.png")]
 
 
@@ -161,7 +161,7 @@ def test_variants_before_the_end_are_kept(
 
     monkeypatch.setattr(solving, "solve", solve)
     assert ended(VARIANTS, tmp_path) == code
-    assert "not solved: variant c and 1 after it left out: " in capsys.readouterr().err
+    assert "not solved: variant c and 1 after it omitted: " in capsys.readouterr().err
     results = rotordyn.open(tmp_path / "out")
     assert list(results) == ["b/campbell", "b/frf"]
     assert "variant a: no speed has a solution" in results.unsolved
@@ -172,7 +172,7 @@ def test_analyses_of_the_first_variant_are_kept(
 ) -> None:
     monkeypatch.setattr("rotordyn.analyses.frf.solve.solve", interrupted)
     assert ended(VARIANTS, tmp_path) == 130
-    sentence = "not solved: frf of variant a, variant b and 2 after it left out: interrupted"
+    sentence = "not solved: frf of variant a, variant b and 2 after it omitted: interrupted"
     assert sentence in capsys.readouterr().err
     results = rotordyn.open(tmp_path / "out")
     assert list(results) == ["a/campbell"]
@@ -192,7 +192,7 @@ def test_what_is_finished_before_its_interval_is_kept(tmp_path: Path) -> None:
         results = run(case, progress, interval=True)
     assert list(results) == ["preload"]
     assert results.held_intervals == {}
-    assert results.unsolved[0].startswith("interval left out: ")
+    assert results.unsolved[0].startswith("interval omitted: ")
     assert isinstance(results.solution.stop, TooCostly)
 
 
@@ -225,7 +225,7 @@ def test_figures_that_take_longer_than_allowed_are_left_out(
     monkeypatch.setattr("rotordyn.allowance.PICTURE", 1e4)
     assert main(["run", str(path), "-o", str(target)]) == 0
     said = " ".join(capsys.readouterr().out.split())
-    assert "figures left out: 9 figures with 2 pictures in space take about 2e+04 s;" in said
+    assert "figures omitted: 9 figures with 2 pictures in space take about 2e+04 s;" in said
     assert list(rotordyn.open(target)) == ["campbell", "frf"]
     assert not [*target.rglob("*.svg")]
 

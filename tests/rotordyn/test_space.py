@@ -74,7 +74,7 @@ def test_without_opengl_everything_else_is_there_and_one_sentence_says_so(
     assert not any(name.startswith("shapes_3d_") for name in made)
     printed = " ".join(capsys.readouterr().out.split())
     sentence = (
-        "note figures shapes_3d_0rpm, shapes_3d_9000rpm left out: this machine draws nothing in 3D "
+        "note figures shapes_3d_0rpm, shapes_3d_9000rpm omitted: this computer cannot render in 3D "
         "(OpenGL ended the process: SIGSEGV): install Mesa's EGL"
     )
     assert sentence in printed
@@ -116,7 +116,7 @@ def test_python_of_the_page_runs(
     page = (THEORY / "shapes.md").read_text(encoding="utf-8")
     (code,) = re.findall(r"^```python\n(.*?)^```", page, re.M | re.S)
     exec(compile(code, "shapes.md", "exec"), {})
-    assert re.search(r"1200, 3\)|left out|draws nothing", capsys.readouterr().out)
+    assert re.search(r"1200, 3\)|omitted|cannot render", capsys.readouterr().out)
     assert [path.name for path in tmp_path.iterdir()] == ["first.glb"]
 
 

@@ -261,7 +261,7 @@ def test_packages_that_are_missing_cost_what_they_write(
     assert "shapes_3d/bending_1_0rpm.glb" in made
     assert not made & lost
     notes = json.loads((target / "run.json").read_text(encoding="utf-8"))["notes"]
-    remedy = "{1} left out: the package {0} is not installed: python -m pip install {0}"
+    remedy = "{1} omitted: the package {0} is not installed: python -m pip install {0}"
     said = {remedy.format(*each) for each in missing.items() if each[1]}
     assert {note for note in notes if "is not installed" in note} == said
 

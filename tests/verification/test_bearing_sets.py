@@ -476,7 +476,7 @@ def test_sets_that_are_mounted_together_press_the_shaft_together(
     found = dynamic_preload(machine, np.zeros(1), Law())
     assert found.seat_load()[0, 1:3] == pytest.approx(known, rel=1e-6)
     heavy = replace(sleeves[1], spring=Spring(9e6, 5e6))
-    with pytest.raises(InvalidInput, match="bearings beyond what they bear"):
+    with pytest.raises(InvalidInput, match="overload the bearings"):
         mounted_preloads(replace(machine, sleeves=(sleeves[0], heavy)))
     back = ring_offset(machine, sleeves[0], known[0])
     if sum(-thrusts[k] * known[k - 1] for k in (1, 2)):  # else the housing says nothing of it
@@ -488,12 +488,12 @@ def test_an_offset_that_leaves_play_and_a_set_that_nothing_faces() -> None:
     plain = spindle("DB", SetPreload(offset=1e-6))
     given, taken = (ring_offset(each, each.sleeves[0], 1e-6) for each in (plain, loose))
     left = 1.0 - (taken - given) * 1e6
-    play = rf"offset of 1 µm leaves play in its bearings as mounted \({left:.3g} µm with"
+    play = rf"offset of 1 µm leaves clearance in its bearings as mounted \({left:.3g} µm with"
     with pytest.raises(InvalidInput, match=play):
         mounted_preloads(loose)[0]
     small = AngularContactBallBearing(3e-3, 30e-3, 5, contact_angle=math.radians(15.0))
     pressed = spindle("DB", SetPreload(offset=0.9e-3), small)
-    beyond = "offset of 900 µm presses its bearings beyond what they bear .900 µm with"
+    beyond = "offset of 900 µm overloads its bearings .900 µm with"
     with pytest.raises(InvalidInput, match=beyond):
         mounted_preloads(pressed)[0]
     machine = spindle("DT", None)

@@ -337,4 +337,6 @@ def test_temperatures_that_do_not_settle_say_what_helps(monkeypatch: pytest.Monk
     monkeypatch.setattr("rotordyn.preload.heat_balance.MOST", 1)
     here = Scene(grinding(), Conditions(heat_flow=FLOW), SPEED[2:])
     (outcome,) = here.heat_balance.outcome
-    assert outcome.startswith("bearings at 12000 rpm: temperatures do not settle: cool more, lower")
+    assert outcome.startswith(
+        "bearings at 12000 rpm: temperatures do not converge: cool more, lower"
+    )

@@ -29,7 +29,9 @@ def test_support_that_pushes_aside_as_the_shaft_moves_is_refused_by_name() -> No
     place = found.preload.net.position[:, 0]
     assert found.outcome[0] == ""
     for rpm, word, x in zip((12000, 24000), found.outcome[1:], place[1:], strict=True):
-        assert word.startswith(f"support seal pushes the shaft aside at {rpm} rpm, where it stands")
+        assert word.startswith(
+            f"support seal pushes the shaft sideways at {rpm} rpm, where the shaft is"
+        )
         assert "(y_x)" in word or "(yx)" in word
         assert f" {(x - place[0]) * 1e6:+.2g} µm from rest" in word
     still = scene(with_support({("y", "x"): 1e6}), (0, 24000), bearings="static")

@@ -73,7 +73,7 @@ def test_films_beyond_the_formula_of_inlet_heating_are_told(case):
     for oil, said in ((OILED, False), (thick, True)):
         found = scene(case, oil)
         assert (found.preload.films.growth[1:] == 0.0).any() == said
-        words = "films count as 0 from 8000 rpm on"
+        words = "films are taken as 0 from 8000 rpm on"
         assert any(words in each for each in found.warnings) == said
 
 

@@ -175,5 +175,5 @@ def _omitted(parts: list[PartShapes], why: str) -> Omitted:
     names = _names(parts)
     animated = any(part.spec.animation for part in parts)
     also = " and the animations" if animated else ""
-    sentence = f"figures {', '.join(names)}{also} left out: {why}"
+    sentence = f"figures {', '.join(names)}{also} omitted: {why}"
     return Omitted(dict.fromkeys(names, why), (sentence,))

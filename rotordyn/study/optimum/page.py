@@ -55,7 +55,7 @@ def optimum_page(folder: Path) -> Page:
     verdict = f"{sign} {count} trials, {feasible} of them keep all limits"
     return Page(
         title=optimum.about["title"],
-        about=["Optimum: the best of what may be chosen", optimum.date],
+        about=["Optimum: the best of the allowed designs", optimum.date],
         verdict=f"{verdict}. {optimum.about['verdict'][0]}",
         grave=not has_best,
         sections=sections([*_blocks(optimum)]),

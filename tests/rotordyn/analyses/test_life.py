@@ -161,7 +161,7 @@ def test_an_oil_too_thick_for_the_formula_of_inlet_heating_is_told() -> None:
     assert (ours.film[1] > 0.0).all()
     assert (ours.film[2] == 0.0).all()
     (said,) = (words for words in warnings(ours) if "films" in words)
-    assert said.startswith("bearings a, b, c, d: films count as 0 from 12000 rpm on")
+    assert said.startswith("bearings a, b, c, d: films are taken as 0 from 12000 rpm on")
 
 
 def test_whose_static_rating_is_used_is_said() -> None:

@@ -67,7 +67,7 @@ def test_what_is_usual_and_cannot_be_at_all_is_named(monkeypatch: pytest.MonkeyP
     asked = asked_of(_case())
     assert asked.tolerances == ()
     assert len(asked.narrowed) == 1
-    assert asked.narrowed[0].startswith("spindle.bearings.*.model.balls ± 100 is left out: ")
+    assert asked.narrowed[0].startswith("spindle.bearings.*.model.balls ± 100 is omitted: ")
 
 
 def test_a_sum_that_meets_a_bound_is_allowed() -> None:

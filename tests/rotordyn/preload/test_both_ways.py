@@ -112,7 +112,7 @@ def test_a_force_pushes_the_shaft_through_the_play() -> None:
     before, within, after = (state(machine, 0.0, force) for force in forces)
     assert before.seat_load()[0, 2] < 0.0 < after.seat_load()[0, 2]
     assert within.seat_load()[0, 2] == 0.0
-    assert "rear stands within its play at 0 rpm" in within.outcome[0]
+    assert "rear is within its clearance at 0 rpm" in within.outcome[0]
     assert "though it may well be held elsewhere" in within.outcome[0]
     assert "or give what lies across (gravity, loads)" in within.outcome[0]
     assert within.spring_force[0, 0] == pytest.approx(700.0, rel=1e-9)
@@ -157,7 +157,7 @@ def test_a_bearing_within_its_play_is_no_support() -> None:
     """A preloaded pair beside it leaves it in its middle; without play it holds, load or not."""
     seats = [BearingSeat("a", VEX70, 0.03, 1), BearingSeat("b", VEX70, 0.08, -1)]
     loose = state(spindle([*seats, BearingSeat("rear", DEEP_GROOVE, 0.38)], "a"))
-    assert all("rear stands within its play" in word for word in loose.outcome)
+    assert all("rear is within its clearance" in word for word in loose.outcome)
     assert loose.seat_load()[:, 2].tolist() == [0.0, 0.0, 0.0]
     held = state(spindle([*seats, BearingSeat("rear", PRESSED, 0.38)], "a"))
     assert held.outcome == ("",) * 3
@@ -172,7 +172,7 @@ def test_the_bearing_that_its_own_clearance_does_not_press_is_named(clearance: f
     for kind in pair:
         seats = (BearingSeat("front", kind, 0.03), BearingSeat("rear", loose, 0.38))
         found = state(mfw2310(seats=seats, sleeves=(), shortening=None), SPEEDS[:2])
-        assert all("rear stands within its play at" in word for word in found.outcome)
+        assert all("rear is within its clearance at" in word for word in found.outcome)
     both = (BearingSeat("a", pair[0], 0.03), BearingSeat("b", pair[1], 0.38))
     assert state(mfw2310(seats=both, sleeves=(), shortening=None), 0.0).outcome == ("",)
 

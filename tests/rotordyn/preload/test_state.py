@@ -272,7 +272,7 @@ def test_no_preload_at_all_is_an_outcome() -> None:
 
 def test_without_a_sleeve_nothing_presses_bearings() -> None:
     found = state(mfw2310(sleeves=()), [0])
-    assert "and no sleeve presses any: put one on a sleeve" in found.outcome[0]
+    assert "and no sleeve preloads any: put one on a sleeve" in found.outcome[0]
     assert "springs a preload" not in found.outcome[0]
 
 

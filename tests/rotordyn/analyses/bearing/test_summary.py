@@ -162,7 +162,7 @@ def test_an_oil_too_thick_for_the_formula_of_inlet_heating_is_told(films: bool) 
     found = solve(VEX70, Conditions(), np.array([0.0, 2e4, 3e4]) * RPM, spec)
     assert (found.film[:, 0] > 0.0).tolist() == [False, True, False]
     (said,) = (words for words in result_warnings({"bearing": found}) if "films" in words)
-    assert "films count as 0 from 30000 rpm on, where the formula of inlet heating ends" in said
+    assert "films are taken as 0 from 30000 rpm on, where the oil is too viscous for" in said
 
 
 def test_numbers_of_a_load_have_one_name_however_it_is_held() -> None:
