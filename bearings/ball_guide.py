@@ -4,7 +4,7 @@ A ball at the azimuth ψ is pressed by δ = max(δy cos ψ + s, 0), s the interf
 moves by δy; both contacts bear the same load, Q = K δ^1.5 with K = (Ki^(−2/3) + Ko^(−2/3))^(−3/2).
 The radial force is F = Σ Q cos ψ, and at the centre dF/dδy = ¾ N K √s.
 
-Noël's thesis (Arts et Métiers, 2013), eqs. 4.2 to 4.5, with two corrections: its eq. 4.4 has a
+Noël's thesis (IRCCyN, Nantes, 2013), eqs. 4.2 to 4.5, with two corrections: its eq. 4.4 has a
 factor Ko/Ki too many, and its |…| is max(…, 0), else balls with clearance push on both sides.
 """
 

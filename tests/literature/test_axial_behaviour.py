@@ -1,4 +1,4 @@
-"""Chapter III of D. Noël's thesis (École centrale de Nantes, 2013): the axial behaviour of the
+"""Chapter III of D. Noël's thesis (IRCCyN, Nantes, 2013): the axial behaviour of the
 milling spindle MFW 2310, as falls and ratios where it does not print its parameters."""
 
 from __future__ import annotations

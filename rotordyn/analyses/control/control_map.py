@@ -1,6 +1,6 @@
 """Map of race control over load and speed: where control by a race begins and ends.
 
-Jones' criterion, drawn as a map by Noël (doctoral thesis, Arts et Métiers, 2013, Fig. 2.8).
+Jones' criterion, drawn as a map by Noël (doctoral thesis, IRCCyN, Nantes, 2013, Fig. 2.8).
 """
 
 from __future__ import annotations
