@@ -10,11 +10,12 @@ from rotordyn.cli import reading, solving, studies
 
 CASE = "case file (YAML), or the name of a case that comes with rotordyn"
 FILE = "case (default), spindle, tool, bearing, material, study, optimum or identification"
-EXIT_CODES = """exit codes: 0 done; 2 bad input, or more than a run may take; 3 no speed of the case
-has a physical solution (with --strict: one has not); 130 interrupted; 1 a bug of rotordyn"""
-NO_FIGURES = "write numbers and tables alone"
-QUIET = "print nothing but errors"
-REPORT = "also write report.html, a page to hand on"
+EXIT_CODES = """exit codes: 0 done; 2 bad input, or more time or memory than allowed; 3 no speed of the
+case has a physical solution (with --strict: at least one speed has none); 130 interrupted; 1 a bug
+of rotordyn"""
+NO_FIGURES = "write numbers and tables only"
+QUIET = "print only errors"
+REPORT = "also write report.html, a single self-contained page"
 
 
 def parser() -> argparse.ArgumentParser:
@@ -38,10 +39,12 @@ def _add_run(commands: Any) -> None:
     run.add_argument("case", metavar="CASE", help=CASE)
     run.add_argument("-o", "--output", metavar="DIR", help="results folder (out/<case name>)")
     run.add_argument("--only", metavar="NAME,…", help="only these analyses of the case")
-    run.add_argument("--variant", metavar="NAME", help="only this variant of a case that compares")
+    run.add_argument("--variant", metavar="NAME", help="only this variant of the case")
     run.add_argument("--no-figures", action="store_true", help=NO_FIGURES)
     run.add_argument(
-        "--format", metavar="NAME,…", help="of figures: png (300 dpi, as without this), pdf, svg"
+        "--format",
+        metavar="NAME,…",
+        help="formats of figures: png (300 dpi, the default), pdf, svg",
     )
     run.add_argument(
         "--explain",
@@ -55,9 +58,11 @@ def _add_run(commands: Any) -> None:
     )
     run.add_argument("--report", action="store_true", help=REPORT)
     run.add_argument(
-        "--longest", type=float, metavar="S", help="seconds that it may take by estimate (600)"
+        "--longest", type=float, metavar="S", help="largest estimated time in seconds (600)"
     )
-    run.add_argument("--yes", action="store_true", help="whatever time and memory it needs")
+    run.add_argument(
+        "--yes", action="store_true", help="run whatever the estimated time and memory"
+    )
     run.add_argument("--quiet", action="store_true", help=QUIET)
     run.add_argument(
         "--strict", action="store_true", help="exit with 3 if any speed has no physical solution"

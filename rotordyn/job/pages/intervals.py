@@ -37,7 +37,7 @@ def interval_blocks(parts: Mapping[str, Part], held: Mapping[str, Interval]) -> 
         if doubts := list(interval_doubts(sure)):
             yield Text(doubts, listed=True)
         if chosen := sure.apart(sure.varying())[:MOST]:
-            yield _tornado(f"{of}What rules a number", sure, chosen)
+            yield _tornado(f"{of}Largest influences on a number", sure, chosen)
         yield from _bands(of, part, sure)
 
 

@@ -77,7 +77,7 @@ def _blocks(results: Results, origin: Origin) -> Iterator[tuple[str, Block]]:
     yield from (("Inputs", block) for block in input_blocks(cases))
     yield from ((BEARINGS, table) for table in _bearings(parts))
     yield from analysis_blocks(list(parts.values()))
-    yield from (("How sure", block) for block in interval_blocks(parts, results.held_intervals))
+    yield from (("Uncertainty", block) for block in interval_blocks(parts, results.held_intervals))
     if (table := known_table(parts)) is not None:
         yield table.title, table
     yield from (("Accuracy and origin", block) for block in origin_blocks(parts, origin))
