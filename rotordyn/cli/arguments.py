@@ -10,9 +10,9 @@ from rotordyn.cli import reading, solving, studies
 
 CASE = "case file (YAML), or the name of a case that comes with rotordyn"
 FILE = "case (default), spindle, tool, bearing, material, study, optimum or identification"
-EXIT_CODES = """exit codes: 0 done; 2 bad input, or more time or memory than allowed; 3 no speed of the
-case has a physical solution (with --strict: at least one speed has none); 130 interrupted; 1 a bug
-of rotordyn"""
+EXIT_CODES = """exit codes: 0 done; 2 bad input, or more time or memory than allowed; 3 no speed of
+the case has a physical solution (with --strict: at least one speed has none); 130 interrupted;
+1 a bug of rotordyn"""
 NO_FIGURES = "write numbers and tables only"
 QUIET = "print only errors"
 REPORT = "also write report.html, a single self-contained page"
@@ -44,7 +44,7 @@ def _add_run(commands: Any) -> None:
     run.add_argument(
         "--format",
         metavar="NAME,…",
-        help="formats of figures: png (300 dpi, the default), pdf, svg",
+        help="formats of figures: png (default, 300 dpi), pdf, svg",
     )
     run.add_argument(
         "--explain",
@@ -60,9 +60,7 @@ def _add_run(commands: Any) -> None:
     run.add_argument(
         "--longest", type=float, metavar="S", help="largest estimated time in seconds (600)"
     )
-    run.add_argument(
-        "--yes", action="store_true", help="run whatever the estimated time and memory"
-    )
+    run.add_argument("--yes", action="store_true", help="run regardless of time and memory")
     run.add_argument("--quiet", action="store_true", help=QUIET)
     run.add_argument(
         "--strict", action="store_true", help="exit with 3 if any speed has no physical solution"
