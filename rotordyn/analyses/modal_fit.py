@@ -74,24 +74,13 @@ def modal_fit(
 
     Raises
     ------
-    InvalidInput : fewer samples than unknowns, frequencies that do not ascend, no mode
+    InvalidInput : fewer samples than unknowns, frequencies that do not ascend, no mode; values or
+        coherence of another shape, or not finite
     """
-    flat = np.asarray(values, dtype=complex).reshape(len(omega), -1)
-    least = 1 if modes is None else modes
-    if least < 1:
-        raise InvalidInput(f"modes: given {modes}; allowed: at least 1")
-    if len(omega) < 4 * least + 2:
-        raise InvalidInput(
-            f"too few frequencies for {least} modes: given {len(omega)}; allowed: at least "
-            f"{4 * least + 2}"
-        )
-    if not (np.diff(omega) > 0.0).all() or not omega[0] > 0.0:
-        raise InvalidInput("frequencies: they must ascend from above 0 Hz")
-    if not np.isfinite(flat).all():
-        raise InvalidInput("a measured receptance is not a finite number")
+    flat = _checked(omega, values, modes)
     size = np.maximum(np.abs(flat), LEAST * np.abs(flat).max(axis=0))
     size = np.maximum(size, 1e-300)
-    gamma = None if coherence is None else np.reshape(coherence, flat.shape)
+    gamma = None if coherence is None else _checked_coherence(np.asarray(coherence), values.shape)
     most = min(MOST, (len(omega) - 2) // 4)
 
     def fitted(deviation: Array) -> Refined:
@@ -111,6 +100,42 @@ def modal_fit(
     fit = refined.fit
     at_most = modes is None and len(fit.pole) >= most
     return ModalFit(fit, values.shape[1:], misfit, np.asarray(omega), deviation, at_most)
+
+
+def _checked(omega: Array, values: Complex, modes: int | None) -> Complex:
+    """Return the values as (f, e); raises InvalidInput."""
+    if len(values) != len(omega) or not values.size:
+        raise InvalidInput(
+            f"values: given the shape {values.shape}; allowed: a value at each of the "
+            f"{len(omega)} frequencies"
+        )
+    flat = np.asarray(values, dtype=complex).reshape(len(omega), -1)
+    least = 1 if modes is None else modes
+    if least < 1:
+        raise InvalidInput(f"modes: given {modes}; allowed: at least 1")
+    if len(omega) < 4 * least + 2:
+        raise InvalidInput(
+            f"too few frequencies for {least} modes: given {len(omega)}; allowed: at least "
+            f"{4 * least + 2}"
+        )
+    if not (np.diff(omega) > 0.0).all() or not omega[0] > 0.0:
+        raise InvalidInput("frequencies: they must ascend from above 0 Hz")
+    if not np.isfinite(flat).all():
+        raise InvalidInput("a measured receptance is not a finite number")
+    if not np.abs(flat).max(axis=0).all():
+        raise InvalidInput("a measured receptance is zero at all frequencies")
+    return flat
+
+
+def _checked_coherence(coherence: Array, shape: tuple[int, ...]) -> Array:
+    """Return the coherence of values of a ``shape`` (f, …) as (f, e)."""
+    if coherence.shape != shape:
+        raise InvalidInput(
+            f"coherence: given the shape {coherence.shape}; allowed: {shape}, that of the values"
+        )
+    if not ((coherence >= 0.0) & (coherence <= 1.0)).all():
+        raise InvalidInput("coherence: allowed are numbers from 0 to 1")
+    return coherence.reshape(len(coherence), -1)
 
 
 def _deviation(omega: Array, refined: Refined, coherence: Array | None) -> Array:

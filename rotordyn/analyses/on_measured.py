@@ -39,6 +39,7 @@ Complex = NDArray[np.complex128]
 CONE_PIECES = 24  # cylinders in place of a cone
 STEP = 1e-6  # of a response: of finite differences
 FEW = 0.5  # of a misfit: more modes that leave less than this are needed
+POOR = 0.1  # misfit by too few modes from which on the tip is refused
 HIDDEN = 0.7  # of the tip: error by noise from which on the blank hides the spindle
 SURE = 3.0  # standard deviations of the noise, beyond which a tip is not passive
 ACTIVE = 0.01  # of the tip: positive imaginary part that is reported
@@ -127,6 +128,8 @@ class OnMeasured:
                 f"the {len(fit.fit.pole)} modes fitted are the most that are tried, which may be "
                 "noise: give modes, or look whether the responses are those of a linear structure"
             )
+        if too_few := self._too_few_modes(plane):
+            doubts.append(too_few)
         tip = self.tip(plane, omega)
         positive = np.maximum(tip.imag - SURE * self.error(plane, omega), 0.0)
         share = np.linalg.norm(positive) / np.linalg.norm(tip)
@@ -151,6 +154,8 @@ class OnMeasured:
 
     def _why_hidden(self, plane: str) -> str:
         """Sentence on why the tip cannot be found; empty where it can."""
+        if self.fits[plane].misfit > POOR and (too_few := self._too_few_modes(plane)):
+            return too_few
         try:
             tip = self._tip(self.fits[plane](self.omega), *self._parts(self.omega))
             share = np.linalg.norm(self.error(plane, self.omega)) / np.linalg.norm(tip)
@@ -167,6 +172,8 @@ class OnMeasured:
 
     def _too_few_modes(self, plane: str) -> str:
         """Sentence on why a misfit is not noise; empty where more modes do not halve it."""
+        if self.measured.modes is None:
+            return ""
         fit, best = self.fits[plane], self._fit(plane, None)
         if best.misfit > FEW * fit.misfit:
             return ""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import partial
 from typing import TYPE_CHECKING
@@ -19,11 +19,16 @@ from rotordyn.machine.plausibility import estimates
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
 from rotordyn.scene.conditions import Conditions
-from rotordyn.scene.expansions import bearing_materials, unknown_expansions
+from rotordyn.scene.expansions import (
+    bearing_materials,
+    expanding_materials,
+    unknown_expansions,
+)
 from rotordyn.scene.spec import Spec
 
 if TYPE_CHECKING:
     from rotordyn.scene.checks import Checks
+    from rotordyn.scene.scene import Scene
     from rotordyn.scene.stage import Memo
 
 DEFAULT_BAND = 1000.0  # Hz, where no analysis names a frequency
@@ -102,10 +107,22 @@ def solve_spindle(
             skipped=reasons(scene),
             spared=spared(scene),
             tolerances=scene.tolerances if scene.checks.wanted else {},
-            warnings=(*scene.warnings, *unlimited(spindle, analyses)),
+            warnings=(
+                *scene.warnings,
+                *_unknown_expansions(scene, analyses),
+                *unlimited(spindle, analyses),
+            ),
             notes=scene.notes,
             stop=stop,
         )
+
+
+def _unknown_expansions(scene: Scene, analyses: Mapping[str, Spec]) -> Iterable[str]:
+    """Warnings of materials without α where analyses alone change temperatures."""
+    thermal = scene.conditions.temperatures or scene.conditions.heat_flow
+    if thermal is not None or not any(spec.heats for spec in analyses.values()):
+        return ()
+    return unknown_expansions(expanding_materials(scene.spindle))
 
 
 def _solved_in_turn(

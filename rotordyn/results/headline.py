@@ -31,7 +31,8 @@ class Number(NamedTuple):
     ``speed`` [rpm] where it is one of several over speed; ``part``: distinguishes numbers of
     one ``name``, such as a direction of whirl, that summaries write side by side;
     ``absent``: printed where there is none (NaN); ``inner``: at a speed between the first and the
-    last, which goals and limits read and tables omit.
+    last, which goals and limits read and tables omit. ``bound``: upper bound of an unknown value
+    (NaN).
     """
 
     name: str
@@ -42,12 +43,18 @@ class Number(NamedTuple):
     digits: int = 1
     absent: str = NONE
     inner: bool = False
+    bound: float = np.nan
 
     @property
     def words(self) -> str:
         """Name, part and speed, which are unique within an analysis."""
         at = f"at {self.speed:.0f} rpm" if self.speed is not None else ""
         return " ".join(word for word in (self.name, self.part, at) if word)
+
+    @property
+    def reading(self) -> float:
+        """Value that goals, limits and studies read: the bound where only that is known."""
+        return float(np.fmin(self.value, self.bound))
 
     @property
     def heading(self) -> str:

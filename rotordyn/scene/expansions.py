@@ -19,7 +19,7 @@ def expansion_warnings(spindle: Spindle, conditions: Conditions) -> Iterator[str
     thermal = conditions.temperatures or conditions.heat_flow
     if thermal is None or not spindle.seats:
         return
-    yield from unknown_expansions(_materials(spindle))
+    yield from unknown_expansions(expanding_materials(spindle))
     yield from _two_housings(expansions_in_fits(spindle), thermal.housing_expansion)
 
 
@@ -37,9 +37,11 @@ def unknown_expansions(materials: Iterable[tuple[str, Material]]) -> Iterator[st
         )
 
 
-def _materials(spindle: Spindle) -> Iterator[tuple[str, Material]]:
-    """Yield the materials that expand between and in the bearings, with the part of each."""
-    stations, shaft = [seat.x for seat in spindle.seats], spindle.shaft
+def expanding_materials(spindle: Spindle) -> Iterator[tuple[str, Material]]:
+    """Yield the materials whose expansion loads bearings, with the part of each: of bearings, and
+    between these and supports along the axis."""
+    along = [support.x for support in spindle.supports if support.along != 0.0]
+    stations, shaft = [*(seat.x for seat in spindle.seats), *along], spindle.shaft
     in_fits = expansions_in_fits(spindle)
     first, last = shaft.boundaries[:-1], shaft.boundaries[1:]
     for section, left, right in zip(shaft.sections, first, last, strict=True):
@@ -57,8 +59,8 @@ def bearing_materials(bearing: BallBearing) -> tuple[tuple[str, Material], ...]:
 
 
 def _two_housings(in_fits: dict[str, float], given: float | None) -> Iterator[str]:
-    """Warn of a housing that expands otherwise along the axis than around its bearings, or
-    otherwise around one bearing than around another."""
+    """Warn of a housing with one expansion along the axis and another one around its bearings, or
+    with different ones around two bearings."""
     if not in_fits:
         return
     if given is not None:

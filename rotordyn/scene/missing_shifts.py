@@ -39,10 +39,13 @@ class Added(NamedTuple):
 def missing_shifts(scene: Scene) -> Iterator[str]:
     """Yield warnings of centrifugal shortening, forces in the shaft and an expansion of the housing
     that are not in the axial loads, where they would change these by more than a tenth."""
-    if scene.spindle.seats and scene.preload.usable.any():
-        yield from _shortening(scene)
-        yield from _forces(scene)
-        yield from _housing(scene)
+    if not scene.spindle.seats:
+        return
+    rows = np.flatnonzero(scene.preload.usable & scene.has_temperatures)
+    if rows.size:
+        yield from _shortening(scene, rows)
+        yield from _forces(scene, rows)
+        yield from _housing(scene, rows)
 
 
 def _largest(scene: Scene, load_of: Callable[[int], Array], rows: Indices) -> Added | None:
@@ -60,18 +63,17 @@ def _largest(scene: Scene, load_of: Callable[[int], Array], rows: Indices) -> Ad
     return found
 
 
-def _shortening(scene: Scene) -> Iterator[str]:
+def _shortening(scene: Scene, rows: Indices) -> Iterator[str]:
     if scene.spindle.shortening is not None:
         return
-    state, fastest = scene.preload, np.flatnonzero(scene.preload.usable)[-1:]
-    if most := _largest(scene, lambda row: shortening_load(state, row), fastest):
+    if most := _largest(scene, lambda row: shortening_load(scene.preload, row), rows[-1:]):
         yield (
             "no centrifugal shortening of the shaft is given; computed from its sections it adds "
             f"{most}: give shortening with shift: computed"
         )
 
 
-def _forces(scene: Scene) -> Iterator[str]:
+def _forces(scene: Scene, rows: Indices) -> Iterator[str]:
     """Warn of drawbar and tension, which change the length of the shaft between its bearings."""
     spindle, state, tension = scene.grounded, scene.preload, scene.conditions.tension
     causes = [name for name, acts in (("drawbar", spindle.drawbar), ("tension", tension)) if acts]
@@ -81,20 +83,21 @@ def _forces(scene: Scene) -> Iterator[str]:
     def load_of(row: int) -> Array:
         return shift_load(state, row, lambda stations: stretch(spindle, tension, stations))
 
-    if most := _largest(scene, load_of, np.flatnonzero(state.usable)):
-        shift = stretch(spindle, tension, [seat.x for seat in spindle.seats])
-        longest = shift[np.abs(shift).argmax()] * 1e6
+    if most := _largest(scene, load_of, rows):
+        stations = [seat.x for seat in spindle.seats]
+        first, last = stretch(spindle, tension, [min(stations), max(stations)]) * 1e6
         yield (
-            f"{' and '.join(causes)} make{'s' * (len(causes) == 1)} the shaft {abs(longest):.2g} "
-            f"µm {'shorter' if longest < 0.0 else 'longer'} between its bearings, which preloads "
+            f"{' and '.join(causes)} make{'s' * (len(causes) == 1)} the shaft "
+            f"{abs(last - first):.2g} "
+            f"µm {'shorter' if last < first else 'longer'} between its bearings, which preloads "
             f"as given do not follow; that adds {most}, to first order: unless it is in them "
             "already, give the preload, or the offset of its spring, as under this force"
         )
 
 
-def _housing(scene: Scene) -> Iterator[str]:
-    """Warn of a housing that is taken to expand along its axis as steel, since nothing says
-    otherwise, where aluminium would load bearings otherwise."""
+def _housing(scene: Scene, rows: Indices) -> Iterator[str]:
+    """Warn of a housing that is taken to expand along its axis as steel by default, where the
+    expansion of aluminium would change the loads of bearings."""
     temperatures, spindle, state = scene.temperatures, scene.grounded, scene.preload
     if temperatures is None or temperatures.housing_expansion is not None:
         return
@@ -108,12 +111,10 @@ def _housing(scene: Scene) -> Iterator[str]:
         lag = -more * rise[row]
         return shift_load(state, row, lambda stations: lag * (np.array(stations) - first.x))
 
-    if most := _largest(scene, load_of, np.flatnonzero(state.usable)):
+    if most := _largest(scene, load_of, rows):
         where = "temperatures" if scene.conditions.temperatures is not None else "heat_flow"
         yield (
-            "the material of the housing is not given; along its axis the housing is "
-            "taken to expand "
-            f"as steel, {STEEL.expansion:.3g} 1/K; one of aluminium would add {most}, to "
-            "first order: "
+            "along its axis the housing is taken to expand as steel, "
+            f"{STEEL.expansion:.3g} 1/K; one of aluminium would add {most}, to first order: "
             f"give housing_expansion in {where}"
         )

@@ -69,6 +69,11 @@ class Spec(Description):
         """Heat flows that the spec itself gives."""
         return ()
 
+    @property
+    def heats(self) -> bool:
+        """Whether it changes the temperatures of the conditions."""
+        return False
+
 
 def redundant_support_faults(setting: Setting) -> Faults:
     """Yield a fault where rigid supports make a rigid rotor statically indeterminate."""

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.law import Law
-from rotordyn.arrays import Array, Indices
+from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.description import unchecked
 from rotordyn.equation.mesh import Mesh, build_mesh
 from rotordyn.errors import NoSolution
@@ -121,7 +121,7 @@ class Statics(Staged):
         texts: tuple[str, ...] = ("",) * len(self.bearing_speed)
         if self.spindle.seats:
             texts = self.preload.outcome
-        if self.spindle.seats and self.temperatures is not self.conditions.temperatures:
+        if self._by_heat_flow:
             pairs = zip(self.heat_balance.outcome, texts, strict=True)
             texts = tuple(thermal or text for thermal, text in pairs)
         texts = tuple(text or buckled for text, buckled in zip(texts, self.buckling, strict=True))
@@ -210,9 +210,22 @@ class Statics(Staged):
     @property
     def temperatures(self) -> Temperatures | None:
         """Prescribed temperatures, or those of the heat balance."""
-        given = self.conditions.temperatures
-        balanced = given is None and self.conditions.heat_flow is not None and self.spindle.seats
-        return self.heat_balance.temperatures if balanced else given
+        by_heat_flow = self._by_heat_flow
+        return self.heat_balance.temperatures if by_heat_flow else self.conditions.temperatures
+
+    @property
+    def _by_heat_flow(self) -> bool:
+        """Whether temperatures follow from heat, at every speed that has a balance."""
+        given, flow = self.conditions.temperatures, self.conditions.heat_flow
+        return given is None and flow is not None and bool(self.spindle.seats)
+
+    @property
+    def has_temperatures(self) -> Flags:
+        """Bearing speeds (speeds,) at which temperatures are known: those without a heat balance
+        have none."""
+        if not self._by_heat_flow:
+            return np.ones(len(self.bearing_speed), dtype=bool)
+        return np.array(self.heat_balance.outcome, dtype=str) == ""
 
     @cached_property
     def heat_balance(self) -> HeatBalance:

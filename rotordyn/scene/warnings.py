@@ -41,13 +41,7 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
     """Yield warnings about the description, its bearings where solved, and unstable motions."""
     top = float(scene.bearing_speed.max())
     yield from implausible(scene.spindle, top)
-    for name, ring, on, *release in released_fits(
-        scene.spindle, scene.bearing_speed, scene.temperatures
-    ):
-        yield (
-            f"bearing {name}: the fit of its {ring} ring lets go {_when(*release)}, from where on "
-            f"the ring grows without the {on}; raise its interference"
-        )
+    yield from _released_fits(scene)
     yield from _yielding_rings(scene)
     yield from expansion_warnings(scene.spindle, scene.conditions)
     if scene.conditions.heat_flow is not None:
@@ -70,6 +64,18 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
         yield from instability(systems, scene.speed[scene.usable])
     elif not all(scene.outcome):
         yield from _statically_unstable(scene)
+
+
+def _released_fits(scene: Scene) -> Iterator[str]:
+    """Warn of rings that come loose where temperatures are known."""
+    speed = scene.bearing_speed[scene.has_temperatures]
+    if not speed.size:
+        return
+    for name, ring, on, *release in released_fits(scene.spindle, speed, scene.temperatures):
+        yield (
+            f"bearing {name}: the fit of its {ring} ring lets go {_when(*release)}, from where on "
+            f"the ring grows without the {on}; raise its interference"
+        )
 
 
 def _when(held: float, loose: float) -> str:
@@ -190,6 +196,7 @@ def _walls(spindle: Spindle, largest: Mapping[str, Array]) -> str:
 def _yielding_rings(scene: Scene) -> Iterator[str]:
     """Warn of inner rings that yield under their interference fit."""
     stress = ring_stress(scene.spindle, scene.bearing_speed, scene.temperatures)
+    stress = np.where(scene.has_temperatures[:, None], stress, np.nan)
     for seat, ring in zip(scene.spindle.seats, stress.T, strict=True):
         if np.nanmax(ring, initial=0.0) > YIELD:
             row = int(np.nanargmax(ring))
@@ -211,7 +218,8 @@ def _heat_across(scene: Scene) -> Iterator[str]:
     from rotordyn.preload.heat_balance import spindle_heat  # heat of balls, for these alone
 
     without, under = (spindle_heat(s, heat_flow.flow) for s in (scene.unloaded, scene.preload))
-    change = np.where(scene.preload.usable[:, None], np.abs(under - without), 0.0)
+    solved = scene.preload.usable & scene.has_temperatures
+    change = np.where(solved[:, None], np.abs(under - without), 0.0)
     share = change / np.fmax(without, WEAK)
     row, k = (int(place) for place in np.unravel_index(int(share.argmax()), share.shape))
     if share[row, k] > HEAT_RULE:

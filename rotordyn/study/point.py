@@ -106,7 +106,7 @@ def _outcome(study: Study, number: int, case: Case, neighbours: Neighbours, poin
     return Outcome(
         number,
         numbers={
-            f"{name}: {each.words}": (float(each.value), each.unit)
+            f"{name}: {each.words}": (each.reading, each.unit)
             for name, each in headline_numbers(case, machine.results)
         },
         sentence="; ".join(unsolved(machine.results)),

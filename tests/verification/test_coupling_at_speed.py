@@ -184,6 +184,10 @@ def test_a_blank_that_hides_the_spindle_is_refused(length, diameter, sentence):
         ({"modes": 40}, "too few frequencies for 40 modes"),
         ({"omega": OMEGA[::-1]}, "they must ascend"),
         ({"values": np.full((len(OMEGA), 2, 2), np.nan)}, "not a finite number"),
+        ({"values": np.zeros((len(OMEGA), 2, 2))}, "zero at all frequencies"),
+        ({"values": np.ones((3, 2, 2))}, "a value at each of the"),
+        ({"coherence": np.full((len(OMEGA), 2, 2), np.nan)}, "from 0 to 1"),
+        ({"coherence": np.ones(len(OMEGA))}, "that of the values"),
     ],
 )
 def test_refusals_of_a_fit(given, sentence):

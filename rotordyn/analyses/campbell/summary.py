@@ -158,9 +158,11 @@ def numbers(result: CampbellResult, _: Described) -> Iterator[Number]:
             yield Number(f"critical {line_name} {kind} ({count[kind]})", "rpm", rpm, digits=0)
     if math.isfinite(result.stability_threshold):
         rpm = float(result.stability_threshold * RPM.factor)
-        bound = f"≤ {number(rpm, 0)}"
-        value = math.nan if result.threshold_is_bound else rpm
-        yield Number(UNSTABLE, "rpm", value, digits=0, absent=bound)
+        if result.threshold_is_bound:
+            text = f"≤ {number(rpm, 0)}"
+            yield Number(UNSTABLE, "rpm", math.nan, digits=0, absent=text, bound=rpm)
+        else:
+            yield Number(UNSTABLE, "rpm", rpm, digits=0)
 
 
 def _critical_kind(result: CampbellResult, line: Line, critical: int) -> str:
@@ -276,7 +278,7 @@ def _omitted_modes(result: CampbellResult) -> list[str]:
 
 def _unstable_modes(result: CampbellResult) -> list[str]:
     sentences = []
-    if 0.0 < result.stability_threshold < result.speed[-1]:
+    if result.threshold_is_bound or 0.0 < result.stability_threshold < result.speed[-1]:
         rpm = f"{result.stability_threshold * RPM.factor:.0f} rpm"
         onward = " on" if _stays_unstable(result) else ""
         sentences.append(

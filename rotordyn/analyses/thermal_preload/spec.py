@@ -22,6 +22,10 @@ class ThermalPreloadSpec(Spec):
         "where given (else balls have the mean of both rings)",
     ]
 
+    @property
+    def heats(self) -> bool:
+        return True
+
     def _faults(self) -> Faults:
         yield from ascending("differences", self.differences)
 

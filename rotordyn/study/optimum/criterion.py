@@ -107,10 +107,10 @@ class Criterion:
                 f"{shown(self.of)}: these numbers have several units: name one of {several}"
             )
         unit = selected[0].unit
-        present = [each for each in selected if not np.isnan(each.value)]
+        present = [each for each in selected if not np.isnan(each.reading)]
         names = [f"{self.analysis}: {each.heading.removesuffix(f' [{unit}]')}" for each in present]
         speeds = tuple(each.speed for each in present)
-        values = np.array([each.value for each in present])
+        values = np.array([each.reading for each in present])
         return Reading(values, unit, tuple(names), speeds, len(selected) - len(present))
 
     def _variable(self, result: Any) -> Reading:
@@ -174,12 +174,12 @@ class _Units(NamedTuple):
 
 def _units(result: Any, name: str) -> _Units:
     """Units of a variable. Those that differ between entries do so along the last coordinate that
-    has names: pairs, or ports."""
+    has names: pairs, or ports, unless it is empty."""
     entries = result.entry_units(name) if hasattr(result, "entry_units") else ()
     metadata = declared(result)[name].metadata
-    if not entries:
-        return _Units((metadata["printed"],))
     named = [dim for dim in metadata["dims"] if not _is_number(getattr(result, dim))]
+    if not entries or not named:
+        return _Units((metadata["printed"],))
     return _Units(tuple(map(printed_unit, entries)), named[-1])
 
 

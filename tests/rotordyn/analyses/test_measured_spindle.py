@@ -560,6 +560,15 @@ def test_too_few_modes_are_not_blamed_on_the_blank(tested):
         rotordyn.run(case(tested, frf(given)))
 
 
+def test_too_few_modes_are_refused_without_much_noise():
+    """One mode where the shipped blank needs more: its tip would be wrong, with little noise."""
+    variant = rotordyn.load("mfw2310_measured_spindle").variants["hsk63_end_mill_16"]
+    spec = variant.analyses["frf"]
+    few = replace(spec, measured_spindle=replace(spec.measured_spindle, modes=2))
+    with pytest.raises(InvalidInput, match=r"^measured_spindle: modes: given 2, which leave"):
+        rotordyn.run(replace(variant, analyses={"frf": few}))
+
+
 def test_a_blank_as_stiff_as_the_spindle_is_refused(tested):
     """Of the length of the spindle: its responses hardly change by what holds it."""
     long = BLANK.replace("40 mm", "300 mm").replace("-65 mm", "-325 mm").replace("-35", "-295")

@@ -158,6 +158,9 @@ def test_drawbar_and_tension_are_named_where_loads_change_by_a_tenth() -> None:
     bar = Drawbar(PULL, 20e-3, 330e-3)
     (sentence,) = said(rigid(drawbar=bar))
     assert sentence.startswith("drawbar makes the shaft 7.4 µm shorter between its bearings")
+    turned = rigid(drawbar=bar)
+    (listed_from_the_rear,) = said(replace(turned, seats=turned.seats[::-1]))
+    assert listed_from_the_rear.startswith("drawbar makes the shaft 7.4 µm shorter")
     added = float(sentence.split("adds about ")[1].split(" N")[0])
     offset = PULL * stepped(51e-3, 269e-3)  # between the pairs
     stiffer = replace(rigid().sleeves[0].spring, preload=0.0, offset=10.05e-6 + offset)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -154,6 +155,23 @@ def test_responses_of_several_units_are_not_compared(overhung: Any) -> None:
         InvalidInput, match=r"several units, µm/N, rad/\(N·m\): choose by where: {pair"
     ):
         Criterion("frf.receptance").read(*overhung)
+
+
+@pytest.mark.parametrize("of", ["frf.measured_response", "frf.measured_peak_amplitude"])
+def test_measured_responses_that_a_case_lacks_are_absent(of: str, overhung: Any) -> None:
+    reading = Criterion(of).read(*overhung)
+    assert not reading.values.size
+
+
+def test_a_machine_unstable_at_every_speed_breaks_a_limit_on_the_threshold() -> None:
+    """The lowest speed bounds the threshold; a stable machine has none and keeps the limit."""
+    whole = rotordyn.load("friswell_internal_damping").variants["viscous"]
+    limit = Limit("campbell: unstable from", at_least="3900 rpm", absent=True)
+    for rpm, kept in (((3000.0, 3500.0), False), ((100.0, 200.0), True)):
+        case = replace(whole, variants={}, speeds=tuple(n * math.pi / 30.0 for n in rpm))
+        reading = limit.criterion.read(case, Neighbours().solve(case)[0].results)
+        assert (reading.values.tolist() == []) == kept
+        assert (limit.margin(reading)[0] > 0.0) == kept
 
 
 def test_an_analysis_without_headline_numbers_names_its_variables(overhung: Any) -> None:

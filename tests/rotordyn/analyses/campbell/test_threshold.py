@@ -169,6 +169,7 @@ def test_growth_from_the_lowest_speed_on_bounds_the_threshold() -> None:
     (headline,) = (n for n in summary.numbers(found, case()) if n.words == summary.UNSTABLE)
     assert np.isnan(headline.value)
     assert headline.absent == "≤ 50000"
+    assert headline.reading == pytest.approx(50000.0)
     labels = [line.get_label() for line in damping_figure(found).axes[0].get_lines()]
     assert "stability threshold" not in labels
     wider = whipping(0.0, 50000.0, 60000.0)
