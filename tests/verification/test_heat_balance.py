@@ -340,3 +340,14 @@ def test_temperatures_that_do_not_settle_say_what_helps(monkeypatch: pytest.Monk
     assert outcome.startswith(
         "bearings at 12000 rpm: temperatures do not converge: cool more, lower"
     )
+
+
+def test_a_speed_without_a_balance_makes_no_warning() -> None:
+    """At 20 000 rpm temperatures run away; no ring is called loose there."""
+    flow = replace(FLOW, shaft=40.0, housing=35.0)
+    loads = (PointLoad(at="nose", Fy=1500.0),)
+    given = Conditions(kinematics="hybrid", heat_flow=flow, loads=loads)
+    here = Scene(grinding(rigid=True), given, np.array([6e3, 20e3]) * RPM)
+    assert [bool(outcome) for outcome in here.outcome] == [False, True]
+    assert here.preload.usable.all()
+    assert not [words for words in here.warnings if "20000" in words]

@@ -177,6 +177,22 @@ def test_growth_from_the_lowest_speed_on_bounds_the_threshold() -> None:
     assert wider.stability_threshold < 44000.0 * RPM
 
 
+def test_one_speed_at_which_a_mode_grows_asks_for_lower_ones() -> None:
+    alone = whipping(50000.0)
+    assert alone.threshold_is_bound
+    assert any("add lower speeds to find its threshold" in w for w in summary.warnings(alone))
+
+
+def test_growth_at_rest_is_a_threshold_of_zero() -> None:
+    """Supports that drive the shaft: no lower speed could bound it closer."""
+    driven = tuple(support(name, x, (3e6, 3e6), -50.0) for name, x in (("a", 0.1), ("b", 0.9)))
+    found = diagram(uniform(1.0, 0.04, supports=driven), (0.0, 1000.0), 400.0)
+    assert found.unstable.all(axis=0).any()
+    assert found.stability_threshold == 0.0
+    assert not found.threshold_is_bound
+    assert not any("its threshold" in w for w in summary.warnings(found))
+
+
 def test_a_mode_that_is_not_there_has_no_line() -> None:
     assert np.isnan(plane_curve(np.full((4, 2), complex(np.nan, np.nan)))).all()
     assert (plane_curve(np.zeros((4, 2), dtype=complex)) == 0.0).all()
