@@ -212,14 +212,17 @@ def parse_unit(text: str) -> Unit:
 
 
 def without_brackets(text: str) -> str:
-    """Write a unit without brackets: division by a product becomes division by each factor.
+    """Write a unit without brackets: division by a product becomes division by each factor, and
+    by a quotient multiplication with its divisor.
 
-    >>> without_brackets("rad/(N·m)"), without_brackets("(m/s²)/N")
-    ('rad/N/m', 'm/s²/N')
+    >>> without_brackets("rad/(N·m)"), without_brackets("(m/s²)/N"), without_brackets("N/(m/s)")
+    ('rad/N/m', 'm/s²/N', 'N/m·s')
     """
 
     def divided(product: re.Match[str]) -> str:
-        return "/" + re.sub(r"\s*[·⋅* ]\s*", "/", product[1].strip())
+        first, *others = re.split(r"\s*([·⋅*/ ])\s*", product[1].strip())
+        pairs = zip(others[::2], others[1::2], strict=True)
+        return f"/{first}" + "".join(("·" if by == "/" else "/") + name for by, name in pairs)
 
     return re.sub(r"\(([^()]*)\)", r"\1", re.sub(r"/\s*\(([^()]*)\)", divided, text))
 

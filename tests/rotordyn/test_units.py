@@ -116,6 +116,20 @@ def test_refused(given_: object, kind: str, fragment: str) -> None:
     assert fragment in str(caught.value)
 
 
+@pytest.mark.parametrize(
+    ("bracketed", "plain"),
+    [
+        ("N/(m/s)", "N s/m"),
+        ("N/(m*s)", "N/m/s"),
+        ("N / (m · s)", "N/m/s"),
+        ("(m/s²)/N", "m/s²/N"),
+        ("N/(mm/s/kg)", "N s kg/mm"),
+    ],
+)
+def test_division_by_brackets(bracketed: str, plain: str) -> None:
+    assert units.parse_unit(bracketed) == units.parse_unit(plain)
+
+
 def test_every_kind_reads_each_unit_it_offers() -> None:
     for kind, offered in units.KINDS.items():
         for unit in offered:

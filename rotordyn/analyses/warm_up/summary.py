@@ -187,7 +187,8 @@ def _loose_rings(result: WarmUpResult) -> Iterator[str]:
         ]
         also = f" (as do those of {', '.join(others)}, for no longer)" if others else ""
         on = last[row, k] == _last(result, row)
-        when = f"from {begin} after the start on" if on else f"{begin} to {end} after the start"
+        span = begin if begin == end else f"{begin} to {end}"
+        when = f"from {begin} after the start on" if on else f"{span} after the start"
         yield (
             f"bearing {result.bearing[k]}: the fit of its {ring} ring lets go while it warms up, "
             f"{when} at {_rpm(result, row)}{also}; there the ring grows without the {part}: raise "
