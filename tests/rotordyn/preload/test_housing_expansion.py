@@ -167,6 +167,11 @@ def test_a_section_matters_between_bearings_and_supports_along_the_axis() -> Non
         assert len(said(replace(ended, supports=(behind,)), words)) == count
 
 
+def test_a_material_that_does_not_expand_is_not_one_of_unknown_expansion() -> None:
+    assert replace(UNKNOWN, thermal_expansion=0.0).expansion == 0.0
+    assert UNKNOWN.expansion == STEEL.expansion
+
+
 def test_differences_of_temperature_alone_ask_for_an_expansion_too() -> None:
     case = rotordyn.Case(
         "warm",
