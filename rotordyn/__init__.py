@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from rotordyn import analyses, errors, machine, state
     from rotordyn.case.case import Case
+    from rotordyn.case.library import cases, models
     from rotordyn.case.model import model
     from rotordyn.case.read import load
-    from rotordyn.case.shipped import cases, models
     from rotordyn.case.vary import vary
     from rotordyn.errors import InvalidInput, NoSolution, RotordynError
     from rotordyn.job import Results, open
@@ -56,11 +56,11 @@ _MODULE_OF = {
     "Span": "rotordyn.study.parameter",
     "StopMet": "rotordyn.study.identification",
     "Unknown": "rotordyn.study.identification",
-    "cases": "rotordyn.case.shipped",
+    "cases": "rotordyn.case.library",
     "identify": "rotordyn.study.identification",
     "load": "rotordyn.case.read",
     "model": "rotordyn.case.model",
-    "models": "rotordyn.case.shipped",
+    "models": "rotordyn.case.library",
     "open": "rotordyn.job",
     "optimise": "rotordyn.study.optimum.solve",
     "run": "rotordyn.study.run",

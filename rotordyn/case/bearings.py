@@ -1,17 +1,19 @@
-"""Reads bearings of any kind, and bearings on the shaft."""
+"""Reads bearings of any kind, also by catalogue values alone, and bearings on the shaft."""
 
 from __future__ import annotations
 
 import re
-from typing import Any
+from dataclasses import fields, replace
+from typing import TYPE_CHECKING, Any
 
 from bearings.bearing import BallBearing
+from bearings.catalogue.printed import Catalogue
 from bearings.errors import InvalidBearing
+from bearings.kinds import DEFAULT, kind_class
 from rotordyn import units
 from rotordyn.case.arranged import printed_preloads
-from rotordyn.case.estimated import estimated
 from rotordyn.case.faults import Faults
-from rotordyn.case.keys import COMMON, bearing_class, keys_of
+from rotordyn.case.keys import COMMON, ESTIMATED, Printed, bearing_class, keys_of
 from rotordyn.case.leaf import is_unknown
 from rotordyn.case.node import Node
 from rotordyn.case.reading import Reading
@@ -20,6 +22,11 @@ from rotordyn.machine.flexible_rings import SIZES
 from rotordyn.machine.seat import BearingSeat, no_ring_left
 from rotordyn.machine.spindle import Spindle
 
+if TYPE_CHECKING:
+    from bearings.catalogue.estimate import EstimatedBearing
+
+_CALLED = {"bore_diameter": "bore"}  # key of files -> field of a catalogue
+_SHOULDERS = ("inner_shoulder_diameter", "outer_shoulder_diameter")
 SHARED = tuple(common.fills[-1] for common in COMMON[Spindle])
 
 
@@ -54,7 +61,7 @@ def bearing(reading: Reading, annotation: Any, node: Node, others: tuple[type, .
     if not isinstance(node.value, dict):
         return reading.wrong_shape(annotation, node, "a name, a path or a mapping")
     if node.child("estimate") is not None:
-        return estimated(reading, node)
+        return _estimated(reading, node)
     kind = node.child("kind")
     model = bearing_class(kind.value if kind else None)
     values = reading.fields(model, node)
@@ -72,6 +79,41 @@ def bearing(reading: Reading, annotation: Any, node: Node, others: tuple[type, .
         return None
     _rings(reading.faults, node, made)
     return made
+
+
+def _estimated(reading: Reading, node: Node) -> EstimatedBearing | None:
+    """Estimate the bearing from the values of the file; None if it has faults."""
+    from bearings.catalogue.estimate import likeliest
+
+    model: Any = kind_class(DEFAULT)
+    faults, kind = reading.faults, node.child("kind")
+    before = faults.count
+    if kind is not None and kind.value != DEFAULT:
+        faults.at(
+            kind,
+            f"no estimate of this kind: given '{kind.raw}'; allowed: {DEFAULT}, or leave "
+            "out estimate and give balls and grooves",
+        )
+        return None
+    values = reading.given(model, node)
+    for key in ESTIMATED:
+        if node.child(key) is None:
+            faults.missing(node, key, "missing key: an estimate needs it")
+    if faults.count > before:
+        return None
+    printed = values.pop("estimate") or Printed()
+    values |= {field.name: getattr(printed, field.name) for field in fields(Printed)}
+    if any(map(is_unknown, values.values())):
+        return None
+    named = {_CALLED.get(key, key): value for key, value in values.items()}
+    taken = {field.name: named[field.name] for field in fields(Catalogue) if field.name in named}
+    try:
+        bearing = likeliest(Catalogue(**taken))
+        shoulders = {key: values[key] for key in _SHOULDERS if key in values}
+        return replace(bearing, **shoulders) if shoulders else bearing
+    except InvalidBearing as error:
+        faults.at_key(node.at("estimate"), f"no estimate: {error}")
+        return None
 
 
 def _named(sentence: str, model: type[BallBearing], node: Node) -> tuple[tuple[str, ...], str]:

@@ -20,7 +20,6 @@ import yaml
 
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node, joined, set_paths
-from rotordyn.case.scalars import resolve
 from rotordyn.errors import Fault
 
 T = TypeVar("T")
@@ -32,6 +31,19 @@ _TOO_DEEP = f"nested deeper than {MAX_DEPTH} levels"
 
 _UNPRINTABLE = re.compile("[\\x00-\\x1f\\x7f-\\x9f\\ud800-\\udfff]")
 TIGHT = re.compile(r"(?:^|[{,]|- )\s*([\w.*]+):[\[{\w]")  # a key without a space after the colon
+# Plain scalars by the core schema of YAML 1.2: ``1e-3`` is a number, ``off`` and ``12:30`` text.
+Scalar = str | int | float | bool | None
+
+_WORDS: dict[str, Scalar] = {
+    **dict.fromkeys(("", "~", "null", "Null", "NULL"), None),
+    **dict.fromkeys(("true", "True", "TRUE"), True),
+    **dict.fromkeys(("false", "False", "FALSE"), False),
+    **dict.fromkeys((".nan", ".NaN", ".NAN"), float("nan")),
+    **{f"{sign}{dot}": float(f"{sign}inf") for sign in "+-" for dot in (".inf", ".Inf", ".INF")},
+    **dict.fromkeys((".inf", ".Inf", ".INF"), float("inf")),
+}
+_INTEGER = re.compile(r"[-+]?[0-9]{1,300}|0o[0-7]{1,300}|0x[0-9a-fA-F]{1,300}")
+_FLOAT = re.compile(r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?")
 _LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
@@ -251,6 +263,17 @@ class _Composer:
 
     def _fault(self, message: str, place: Any) -> None:
         self.faults.add(Fault(self.file, *_position(place), "", message))
+
+
+def resolve(text: str) -> Scalar:
+    """The value a plain (unquoted) scalar stands for."""
+    if text in _WORDS:
+        return _WORDS[text]
+    if _INTEGER.fullmatch(text):
+        return int(text, 0) if text[:2] in ("0o", "0x") else int(text)
+    if _FLOAT.fullmatch(text):
+        return float(text)
+    return text
 
 
 def _not_yaml(error: Exception, text: str) -> _Refused:

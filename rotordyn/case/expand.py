@@ -15,7 +15,7 @@ from rotordyn.analyses.stability_lobes.workpiece import Workpiece
 from rotordyn.case.document import read_document
 from rotordyn.case.faults import Faults
 from rotordyn.case.keys import COMMON, bearing_class, keys_of, kinds_with
-from rotordyn.case.library import UnknownModel, find
+from rotordyn.case.library import find
 from rotordyn.case.named_models import MODELS, Way, ways_to
 from rotordyn.case.node import UNKNOWN, Node, matching
 from rotordyn.case.override import apply
@@ -61,7 +61,7 @@ class Reader:
             return None
         try:
             path = find(kind, name, self.folders[reference.file])
-        except UnknownModel as error:
+        except InvalidInput as error:
             self.faults.at(reference, str(error))
             return None
         root = self.document(path) if self._exists(path, reference) else None
@@ -105,14 +105,13 @@ def spindle(reference: Node, override: Mapping[str, Node], reader: Reader) -> No
     root = reader.model("spindles", reference)
     if root is None:
         return None
-    materials, turns = ways_to(Material, Spindle), {path: _turn(path) for path in override}
 
     def put(turn: int) -> None:
-        changes = {path: value for path, value in override.items() if turns[path] == turn}
+        changes = {path: value for path, value in override.items() if _turn(path) == turn}
         apply(changes, root, reader.faults)
 
     put(0)
-    _fill(root, materials, Material, reader)
+    _fill(root, Spindle, reader)
     for seat in root.listed("bearings"):
         _bearing_of_seat(root, seat, reader)
     put(1)
@@ -120,10 +119,10 @@ def spindle(reference: Node, override: Mapping[str, Node], reader: Reader) -> No
         if (holder := root.child(*way)) is not None:
             spread(kind, holder)
     put(2)
-    _fill(root, materials, Material, reader)  # those that overrides name
+    _fill(root, Spindle, reader)  # the materials that overrides name
     for seat in root.listed("bearings"):
         if (model := seat.child("model")) is not None:
-            _fill(model, ways_to(Material, _kind_of(model)), Material, reader)
+            _fill(model, _kind_of(model), reader)
     for support in root.listed("supports"):
         _table_of_support(support, reader)
     return root
@@ -157,7 +156,7 @@ def tool(reference: Node, reader: Reader) -> Node | None:
     """Tree of the tool with its materials filled in."""
     root = reader.model("tools", reference)
     if root is not None:
-        _fill(root, ways_to(Material, Tool), Material, reader)
+        _fill(root, Tool, reader)
     return root
 
 
@@ -167,10 +166,10 @@ def asked(node: Node, spec: type, reader: Reader) -> None:
     A workpiece that cannot be read gets unknown coefficients, so that its absence is not reported
     in addition.
     """
-    _fill(node, ways_to(Material, spec), Material, reader)
-    for holder, key, named in _naming(node, ways_to(Tool, spec)):
+    _fill(node, spec, reader)
+    for holder, key, named in _naming(node, Tool, spec):
         _set(holder, key, tool(named, reader))
-    for holder, key, named in _naming(node, ways_to(Workpiece, spec)):
+    for holder, key, named in _naming(node, Workpiece, spec):
         _set(holder, key, reader.model(MODELS[Workpiece], named))
         if (held := holder.at(key)).value is UNKNOWN:
             holder.value[key] = replace(named, value={"coefficients": held})
@@ -202,7 +201,7 @@ def bearing(
             reader.faults.at(root.at("kind"), why)
         return None
     _forget_nulls(root)
-    _fill(root, ways_to(Material, _kind_of(root)), Material, reader)
+    _fill(root, _kind_of(root), reader)
     return root
 
 
@@ -237,15 +236,15 @@ def _table_of_support(support: Node, reader: Reader) -> None:
     tabled(support, path, reader.faults, reader.contents)
 
 
-def _fill(root: Node, ways: Iterable[Way], model: type, reader: Reader) -> None:
-    """Fill in the models of one kind that are named at the end of ``ways``."""
-    for holder, key, named in _naming(root, ways):
-        _set(holder, key, reader.model(MODELS[model], named))
+def _fill(root: Node, kind: Any, reader: Reader) -> None:
+    """Fill in the materials that a file of this ``kind`` names."""
+    for holder, key, named in _naming(root, Material, kind):
+        _set(holder, key, reader.model(MODELS[Material], named))
 
 
-def _naming(root: Node, ways: Iterable[Way]) -> Iterator[tuple[Node, str, Node]]:
-    """Yield mapping, key and value of each model name at the end of ``ways``."""
-    for *way, key in ways:
+def _naming(root: Node, model: type, kind: Any) -> Iterator[tuple[Node, str, Node]]:
+    """Yield mapping, key and value of each name of a ``model`` in a file of this ``kind``."""
+    for *way, key in ways_to(model, kind):
         for holder in matching(root, tuple(way)):
             named = holder.child(key)
             if named is not None and named.value is not UNKNOWN:

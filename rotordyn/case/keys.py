@@ -54,6 +54,8 @@ from rotordyn.scene.conditions import Conditions
 Overrides = Mapping[str, Any]
 Stiff = Annotated[float, Quantity("stiffness", at_least="0.1 N/um", at_most="100000 N/um")]
 MOST_STEPS = 100_000
+# Keys that a bearing needs of which the rest is estimated.
+ESTIMATED = ("estimate", "name", "bore_diameter", "outside_diameter", "contact_angle")
 
 
 @dataclass(frozen=True, slots=True)

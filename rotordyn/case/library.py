@@ -1,11 +1,16 @@
-"""Finds the models that files refer to by name or by path."""
+"""The models and cases that come with rotordyn: found by name or by path, listed with sources."""
 
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from bearings.errors import shown
+from rotordyn.case.document import read_document
+from rotordyn.case.faults import Faults
 from rotordyn.errors import Fault, InvalidInput
 from rotordyn.quantity import suggestion
 
@@ -18,10 +23,6 @@ SPOKEN = {  # common names of materials that the library has under another name
 }
 _LISTED = 24  # models that a message lists
 _PACKAGE = Path(__file__).resolve().parents[1]
-
-
-class UnknownModel(Exception):
-    """Unknown model; the message lists the known ones."""
 
 
 def models_root() -> Path:
@@ -78,7 +79,7 @@ def find(kind: str, reference: str, beside: Path) -> Path:
     """The file of a model: by name from the library, by path from the folder of ``beside``.
 
     A reference with a path separator or ending in ``.yaml`` is a path. Whether a path exists is
-    seen on reading it; raises UnknownModel for a name the library does not hold.
+    seen on reading it; raises InvalidInput for a name the library does not hold.
     """
     if is_path(reference):
         return beside.parent / Path(reference).expanduser()
@@ -89,7 +90,7 @@ def find(kind: str, reference: str, beside: Path) -> Path:
     hint = f" (did you mean {file}?)" if os.path.exists(beside.parent / file) else ""
     if not hint and (meant := SPOKEN.get(reference.lower())) in names:
         hint = f" (did you mean {meant}?)"
-    raise UnknownModel(
+    raise InvalidInput(
         f"unknown model: given {shown(reference)}; allowed: {_few(names)}, or the path of a file"
         + (hint or suggestion(reference, names))
     )
@@ -98,3 +99,62 @@ def find(kind: str, reference: str, beside: Path) -> Path:
 def _few(names: list[str]) -> str:
     """Text of names; only the first ones of many."""
     return ", ".join(names[:_LISTED]) + (", …" if len(names) > _LISTED else "")
+
+
+@dataclass(frozen=True, slots=True)
+class Shipped:
+    """A file that comes with rotordyn.
+
+    ``kind``: one of ``KINDS``, or ``"cases"``; ``name`` for reference; ``title``;
+    ``sources`` of its values.
+    """
+
+    kind: str
+    name: str
+    title: str
+    sources: tuple[str, ...]
+
+
+def models(kind: str | None = None) -> tuple[Shipped, ...]:
+    """The models of the library, or those of one kind; ``rotordyn.model`` takes their names.
+
+    Raises
+    ------
+    InvalidInput : there is no such kind
+    """
+    kinds = KINDS if kind is None else (known_kind(kind),)
+    return tuple(_shipped(kind, path) for kind in kinds for path in files_of(kind))
+
+
+def cases() -> tuple[Shipped, ...]:
+    """The cases that come with rotordyn; ``rotordyn.load`` takes their names."""
+    return tuple(_shipped("cases", path) for path in files_of("cases"))
+
+
+def known_kind(kind: object) -> str:
+    """Return ``kind`` if there are such models; raises InvalidInput otherwise."""
+    if isinstance(kind, str) and kind in KINDS:
+        return kind
+    hint = suggestion(kind, KINDS)
+    raise InvalidInput(f"unknown kind of model: {shown(kind)}; allowed: {', '.join(KINDS)}{hint}")
+
+
+def _shipped(kind: str, path: Path) -> Shipped:
+    faults = Faults()
+    root = read_document(path, faults, {})
+    if root is None:
+        raise InvalidInput(faults.reported)
+    content = root.plain()
+    title = str(content.get("title") or content.get("name") or "")
+    if "estimate" in content:
+        title += " (estimate)"
+    return Shipped(kind, path.stem, title, sources_in(content))
+
+
+def sources_in(content: Mapping[str, Any]) -> tuple[str, ...]:
+    """Sources of the values of a file, as stated in it, a line each."""
+    coefficients = content.get("coefficients", ())
+    parts = (content, *(coefficients if isinstance(coefficients, list) else ()))
+    sources = content.get("sources") or [part["source"] for part in parts if "source" in part]
+    listed = sources if isinstance(sources, list) else [sources]
+    return tuple(" ".join(str(s).split()) for s in listed)

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Sequence
+from functools import partial
 from itertools import product
 from typing import Annotated, Any, get_args
 
-from rotordyn import units
 from rotordyn.case.leaf import leaf, unknown
-from rotordyn.case.node import UNKNOWN, Node
+from rotordyn.case.node import Node
 from rotordyn.case.reading import Reading, unknown_key
+from rotordyn.errors import InvalidInput
 from rotordyn.field import Refused, bare
-from rotordyn.machine.matrix import DOFS, ENTRIES, WHOLE, Matrix, entry_name
+from rotordyn.machine.matrix import ENTRIES, WHOLE, Matrix, dofs_of, entry_name, rows_of
 from rotordyn.quantity import Quantity
 
 
@@ -57,9 +59,9 @@ def _whole(reading: Reading, marker: Matrix, node: Node) -> dict[tuple[str, str]
     for key in WHOLE:
         if key not in node.value:
             reading.faults.missing(node, key, "missing key: it must be given")
-    dofs = _dofs(reading, node.child("dof"))
-    rows = node.child("matrix")
-    if rows is None or not dofs or not _square(reading, rows, len(dofs)):
+    given, rows = node.child("dof"), node.child("matrix")
+    dofs = () if given is None else _taken(reading, given, dofs_of)
+    if rows is None or not dofs or not _taken(reading, rows, partial(rows_of, size=len(dofs))):
         return {}
     entries = {}
     for (i, row), (j, column) in product(enumerate(dofs), enumerate(dofs)):
@@ -69,32 +71,13 @@ def _whole(reading: Reading, marker: Matrix, node: Node) -> dict[tuple[str, str]
     return entries
 
 
-def _dofs(reading: Reading, node: Node | None) -> list[str]:
-    if node is None or node.value is UNKNOWN:
-        return []
-    names = node.plain()
-    listed = list(map(str, names)) if isinstance(names, list) else []
-    if not listed or len(set(listed)) < len(listed) or not set(listed) <= set(DOFS):
-        given = units.shown(", ".join(listed) if listed else names)
-        reading.faults.at(
-            node, f"not DOF: given {given}; allowed: different ones of {', '.join(DOFS)}"
-        )
-        return []
-    return listed
-
-
-def _square(reading: Reading, node: Node, size: int) -> bool:
-    rows = node.plain() if isinstance(node.value, list) else []
-    lengths = [len(row) if isinstance(row, list) else 0 for row in rows]
-    if lengths == [size] * size:
-        return True
-    count = (
-        f"{len(rows)} rows of {', '.join(map(str, lengths))}" if rows else units.shown(node.plain())
-    )
-    reading.faults.at(
-        node, f"not a matrix of its DOF: given {count}; allowed: {size} rows of {size}"
-    )
-    return False
+def _taken(reading: Reading, node: Node, take: Callable[[Any], Sequence[Any]]) -> Sequence[Any]:
+    """Take a plain value; empty where it is refused, which is reported."""
+    try:
+        return take(node.plain())
+    except InvalidInput as refusal:
+        reading.faults.at(node, str(refusal))
+        return ()
 
 
 def _cell(reading: Reading, quantity: Quantity, node: Node, row: str, column: str) -> float:

@@ -12,10 +12,9 @@ from bearings.materials import Material
 from rotordyn.analyses.stability_lobes.workpiece import Workpiece
 from rotordyn.case import expand
 from rotordyn.case.forms import reading_of
-from rotordyn.case.library import UnknownModel, find
+from rotordyn.case.library import find, known_kind
 from rotordyn.case.machines import read_spindle
 from rotordyn.case.node import Node
-from rotordyn.case.shipped import known_kind
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.tool import Tool
@@ -66,7 +65,4 @@ def model(kind: str, reference: str | Path) -> Model:
 def _document(kind: str, reference: object) -> tuple[Node, expand.Reader]:
     if not isinstance(reference, str | os.PathLike):
         raise InvalidInput(f"a model is called by its name or path: got {shown(reference)}")
-    try:
-        return expand.opened(find(kind, str(reference), Path("here")))
-    except UnknownModel as error:
-        raise InvalidInput(str(error)) from None
+    return expand.opened(find(kind, str(reference), Path("here")))

@@ -7,7 +7,7 @@ from typing import Any
 
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node, joined
-from rotordyn.case.shared import called_at
+from rotordyn.case.varied import called_at
 from rotordyn.quantity import suggestion
 
 

@@ -15,10 +15,9 @@ from rotordyn.case import expand
 from rotordyn.case.asked import conflicts
 from rotordyn.case.case import Case
 from rotordyn.case.forms import reading_of
-from rotordyn.case.library import find_case
+from rotordyn.case.library import find_case, sources_in
 from rotordyn.case.machines import named_once, read_spindle
 from rotordyn.case.node import Node
-from rotordyn.case.shipped import sources_in
 from rotordyn.case.variants import tools_compared, unprefixed, variant_trees
 from rotordyn.description import Faults as Rules
 from rotordyn.description import unchecked

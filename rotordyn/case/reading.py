@@ -20,7 +20,6 @@ from rotordyn.case.faults import Faults
 from rotordyn.case.keys import COMMON, keys_of, kinds_with
 from rotordyn.case.leaf import is_kind, leaf, limit_of, unknown, wanted
 from rotordyn.case.node import UNKNOWN, Node, matching
-from rotordyn.case.retired import RETIRED
 from rotordyn.description import Description, Path, filled, unchecked
 from rotordyn.field import REQUIRED, Field, Refused, bare, found_in, members, metadata, optional
 from rotordyn.quantity import Choice, Items, Quantity, Words, suggestion
@@ -29,6 +28,17 @@ if TYPE_CHECKING:
     from rotordyn.case.expand import Reader
 
 _LISTED = 24
+# Keys of earlier versions, by the entry that held them: what a case does without them.
+RETIRED: dict[tuple[str, str], str] = {
+    ("conditions", "shaft"): (
+        "`shaft` is no longer a key: the shaft is one of elements, refined until the accuracy "
+        "asked for holds; leave it out, and ask for accuracy: 1e-8 instead of exact"
+    ),
+    ("frf", "method"): (
+        "`method` is no longer a key: responses are those of the reduced model, with an estimate "
+        "of its error; leave it out"
+    ),
+}
 Form = Callable[["Reading", Any, Node, tuple[type, ...]], Any]
 
 

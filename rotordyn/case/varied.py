@@ -9,17 +9,17 @@ from itertools import chain
 from typing import Annotated, Any
 
 from rotordyn.case.case import Case
-from rotordyn.case.keys import fields_of
-from rotordyn.case.shared import Steps, called, called_at, common_at, ways_of_items
+from rotordyn.case.keys import COMMON, Common, fields_of
 from rotordyn.description import quantity_of
-from rotordyn.field import found_in, kinds_of, metadata, parts_of
-from rotordyn.machine.matrix import Matrix
+from rotordyn.field import declared, found_in, kinds_of, metadata, parts_of
+from rotordyn.machine.matrix import Matrix, entry_name
 from rotordyn.quantity import HIDDEN, Quantity
 from rotordyn.units import KINDS, parse_unit
 
 OF_CASES = ("spindle", "bearing", "conditions")
 APART = (("name",), ("title",), ("references",))  # no result depends on these
 Leaf = tuple[Any, Quantity | None]
+Steps = tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,3 +152,32 @@ def usual_unit(quantity: Quantity, values: Sequence[float]) -> str:
     top = max((abs(v) for v in values if math.isfinite(v)), default=0.0)
     fits = (u for u in units if 1.0 <= top / (parse_unit(u).scale if u else 1.0) < 1000.0)
     return next(fits, units[0])
+
+
+def common_at(holder: Any, steps: Steps) -> Common | None:
+    """The common value of several items of ``holder`` into which a path leads; None if none."""
+    each: Common
+    for each in COMMON.get(type(holder), ()):
+        if each.meaning and steps[: len(each.keys)] == each.keys:
+            return each
+    return None
+
+
+def called(key: object) -> str:
+    """Key of a mapping as written in a path; entries of a matrix as in files."""
+    return entry_name(*key) if isinstance(key, tuple) else str(key)
+
+
+def called_at(place: int, item: object) -> str:
+    """Item of a list as written in a path: its name, or its number from 1 if it has none."""
+    return getattr(item, "name", "") or str(place)
+
+
+def ways_of_items(holder: Any, common: Common, steps: Steps) -> list[Steps]:
+    """The path inside every item that has no such value itself."""
+    listed, _, key = common.fills
+    kind: Any = type(holder)
+    name = next(field.name for field in declared(kind) if field.keys == (listed,))
+    rest = (key, *steps[len(common.keys) :])
+    items = [each for each in getattr(holder, name) if hasattr(each, "own")]
+    return [(listed, each.name, *rest) for each in items if key not in each.own]

@@ -17,7 +17,7 @@ from rotordyn.case.case import ByName, Case
 from rotordyn.case.deeper import deeper
 from rotordyn.case.keys import fields_of
 from rotordyn.case.named_models import MODELS as FOLDERS
-from rotordyn.case.shared import called, called_at, common_at, ways_of_items
+from rotordyn.case.varied import called, called_at, common_at, ways_of_items
 from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
 from rotordyn.field import (

@@ -12,6 +12,7 @@ from typing import Any
 import yaml
 
 from rotordyn.case.case import Case
+from rotordyn.case.expand import opened
 from rotordyn.errors import InvalidInput
 
 MACHINES = ("spindle", "bearing")
@@ -33,7 +34,7 @@ def write_changed(
     if not case.files:
         raise InvalidInput(f"case {case.name}: was read from no file, so that it cannot be written")
     source = case.files[0]
-    content = yaml.safe_load(source.read_text(encoding="utf-8"))
+    content = opened(source)[0].plain()
     kept = {key: value for key, value in content.items() if key not in COMPARED}
     whole = _renamed(kept, partial(_placed, source.parent))
     whole["title"] = title

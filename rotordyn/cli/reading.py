@@ -12,7 +12,7 @@ import rotordyn
 from rotordyn.cli.streams import say
 
 if TYPE_CHECKING:
-    from rotordyn.case.shipped import Shipped
+    from rotordyn.case.library import Shipped
 
 
 def check(arguments: argparse.Namespace) -> int:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from rotordyn.machine.ball_guide import BallGuide as BallGuide
 from rotordyn.machine.bearing_set import BearingSet as BearingSet
 from rotordyn.machine.bearing_set import SetPreload as SetPreload
-from rotordyn.machine.damping import RayleighDamping as RayleighDamping
 from rotordyn.machine.drawbar import Drawbar as Drawbar
 from rotordyn.machine.fits import Fits as Fits
 from rotordyn.machine.flexible_rings import RingBodies as RingBodies
@@ -20,11 +19,12 @@ from rotordyn.machine.housing import RigidHousing as RigidHousing
 from rotordyn.machine.joint import Joint as Joint
 from rotordyn.machine.lumped import Disc as Disc
 from rotordyn.machine.lumped import PointMass as PointMass
-from rotordyn.machine.misalignment import Misalignment as Misalignment
 from rotordyn.machine.motor import Motor as Motor
 from rotordyn.machine.reference import Reference as Reference
+from rotordyn.machine.rotor import RayleighDamping as RayleighDamping
 from rotordyn.machine.rotor import Rotor as Rotor
 from rotordyn.machine.seat import BearingSeat as BearingSeat
+from rotordyn.machine.seat import Misalignment as Misalignment
 from rotordyn.machine.shaft import Section as Section
 from rotordyn.machine.shaft import Shaft as Shaft
 from rotordyn.machine.sleeve import Sleeve as Sleeve

@@ -20,8 +20,7 @@ def implausible_bodies(spindle: Spindle) -> Iterator[str]:
     """Yield sentences about the discs and masses of a spindle."""
     yield from _discs(spindle)
     for body in spindle.masses:
-        yield from _small_inertia(body)
-        yield from _large_inertia(body, spindle.shaft.end - spindle.shaft.start)
+        yield from _inertia(body, spindle.shaft.end - spindle.shaft.start)
 
 
 def _discs(spindle: Spindle) -> Iterator[str]:
@@ -75,8 +74,9 @@ def _diameter_below(spindle: Spindle, disc: Disc) -> float:
     return max(*(spindle.shaft.diameters_at(x)[0] for x in stations), *diameters)
 
 
-def _small_inertia(body: PointMass) -> Iterator[str]:
-    """Yield a sentence where an inertia is far below any body of that mass, as in a wrong unit."""
+def _inertia(body: PointMass, length: float) -> Iterator[str]:
+    """Yield a sentence where an inertia is far below any body of that mass, or implies a body
+    beyond the machine of that length [m], as in a wrong unit."""
     ball = 0.4 * body.mass * (0.75 * body.mass / (math.pi * DENSEST)) ** (2.0 / 3.0)
     for axis in ("polar", "diametral"):
         inertia = getattr(body, f"{axis}_inertia")
@@ -86,12 +86,6 @@ def _small_inertia(body: PointMass) -> Iterator[str]:
                 f"that of any body of {body.mass:.4g} kg (a ball of tungsten has {ball:.2g}): "
                 "check its unit"
             )
-
-
-def _large_inertia(body: PointMass, length: float) -> Iterator[str]:
-    """Yield a sentence where an inertia implies a body beyond the machine, as in a wrong unit."""
-    for axis in ("polar", "diametral"):
-        inertia = getattr(body, f"{axis}_inertia")
         if inertia > body.mass * max(FAR, length) ** 2 > 0.0:  # 0 kg is meant as inertia alone
             yield (
                 f"mass {body.name}: its {axis} inertia of {inertia:.3g} kg m^2 is that of "

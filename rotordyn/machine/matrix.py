@@ -42,7 +42,7 @@ class Matrix:
         {('y', 'y'): 8.0, ('thz', 'y'): 1.0, ('thz', 'thz'): 3.0}
         """
         if isinstance(value, Mapping) and set(value) == {*WHOLE}:
-            entries = _whole(_dofs(value["dof"]), value["matrix"])
+            entries = _whole(dofs_of(value["dof"]), value["matrix"])
         elif isinstance(value, Mapping):
             entries = {_pair(key): entry for key, entry in value.items()}
             if len(entries) < len(value):
@@ -89,7 +89,8 @@ def _pair(key: Any) -> Any:
     return ENTRIES[key] if isinstance(key, str) else key
 
 
-def _dofs(given: Any) -> tuple[str, ...]:
+def dofs_of(given: Any) -> tuple[str, ...]:
+    """Return the DOF of rows and columns; raises InvalidInput."""
     dofs = tuple(map(str, given)) if isinstance(given, list | tuple) else ()
     if not dofs or len({*dofs}) < len(dofs) or not {*dofs} <= {*DOFS}:
         raise InvalidInput(
@@ -101,16 +102,22 @@ def _dofs(given: Any) -> tuple[str, ...]:
 
 def _whole(dofs: Sequence[str], matrix: Any) -> dict[tuple[str, str], Any]:
     """Return the nonzero entries of rows of numbers."""
+    rows = rows_of(matrix, len(dofs))
+    pairs = zip(product(dofs, dofs), map(_plain, chain(*rows)), strict=True)
+    return {pair: number for pair, number in pairs if acts(number)}
+
+
+def rows_of(matrix: Any, size: int) -> list[Any]:
+    """Return the rows of a square matrix of this size; raises InvalidInput."""
     given = _plain(matrix)
     rows = [_plain(row) for row in given] if isinstance(given, list | tuple) else []
     lengths = [len(row) if isinstance(row, list | tuple) else 0 for row in rows]
-    if lengths != [len(dofs)] * len(dofs):
+    if lengths != [size] * size:
         count = f"{len(rows)} rows of {', '.join(map(str, lengths))}" if rows else shown(given)
         raise InvalidInput(
-            f"not a matrix of its DOF: given {count}; allowed: {len(dofs)} rows of {len(dofs)}"
+            f"not a matrix of its DOF: given {count}; allowed: {size} rows of {size}"
         )
-    pairs = zip(product(dofs, dofs), map(_plain, chain(*rows)), strict=True)
-    return {pair: number for pair, number in pairs if acts(number)}
+    return rows
 
 
 def _plain(value: Any) -> Any:

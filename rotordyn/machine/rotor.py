@@ -7,12 +7,32 @@ from dataclasses import dataclass, field
 from typing import Annotated, NamedTuple
 
 from rotordyn.description import Description, Faults
-from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.station import on_the_shaft, turning_faults
-from rotordyn.quantity import DampingRatio, Key, Name, Share, SpeedRatio, Station
+from rotordyn.quantity import (
+    DampingRatio,
+    Key,
+    MassDamping,
+    Name,
+    Share,
+    SpeedRatio,
+    Station,
+    StiffnessDamping,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class RayleighDamping(Description):
+    """Damping α M + β K of the rotor alone."""
+
+    mass: Annotated[MassDamping, "α, by which the mass matrix of the rotor is multiplied"] = 0.0
+    stiffness: Annotated[StiffnessDamping, "β, by which its stiffness matrix is multiplied"] = 0.0
+
+    def __bool__(self) -> bool:
+        return bool(self.mass or self.stiffness)
+
 
 ModalDamping = Annotated[
     tuple[DampingRatio, ...],

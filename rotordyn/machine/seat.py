@@ -14,22 +14,38 @@ from rotordyn.description import Description, Faults, Path
 from rotordyn.machine.fits import Fits
 from rotordyn.machine.flexible_rings import RingBodies
 from rotordyn.machine.growth import RingGrowth
-from rotordyn.machine.misalignment import Misalignment
 from rotordyn.quantity import (
     HIDDEN,
     Choice,
     Damping,
     Friction,
+    Growth,
     Key,
     Length,
     Load,
     Name,
+    SmallAngle,
     Station,
     Words,
 )
 from rotordyn.units import format_quantity
 
 THRUST = Words((("+x", 1), ("-x", -1)), silent=0)
+
+
+@dataclass(frozen=True, slots=True)
+class Misalignment(Description):
+    """Offset of the bore under an outer ring from the axis [m], and its tilt [rad]."""
+
+    y: Annotated[Growth, "offset along y"] = 0.0
+    z: Annotated[Growth, "offset along z"] = 0.0
+    thy: Annotated[SmallAngle, "tilt about y"] = 0.0
+    thz: Annotated[SmallAngle, "tilt about z"] = 0.0
+
+    @property
+    def offset(self) -> tuple[float, float, float, float]:
+        """Offsets along y and z, tilts about y and z [m, rad]."""
+        return self.y, self.z, self.thy, self.thz
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,7 +13,6 @@ from rotordyn.description import Description, Faults, require
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.assembly import spindle_faults
 from rotordyn.machine.bearing_set import BearingSet
-from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.flexible_rings import Beside, RingBodies, together
 from rotordyn.machine.growth import ComputedShortening, PrescribedShortening
@@ -22,7 +21,14 @@ from rotordyn.machine.joint import Joint
 from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.motor import Motor
 from rotordyn.machine.reference import Reference
-from rotordyn.machine.rotor import ModalDamping, Place, Rayleigh, Rotor, TurningShare
+from rotordyn.machine.rotor import (
+    ModalDamping,
+    Place,
+    Rayleigh,
+    RayleighDamping,
+    Rotor,
+    TurningShare,
+)
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.sleeve import Sleeve

@@ -26,9 +26,9 @@ from rotordyn.analyses.unbalance import solve as unbalance
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.equation.hysteresis import Hysteretic, Signs, signs_of
 from rotordyn.errors import InvalidInput, TooCostly
-from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.housing import RigidHousing
 from rotordyn.machine.lumped import PointMass
+from rotordyn.machine.rotor import RayleighDamping
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 from rotordyn.scene.conditions import Conditions

@@ -13,8 +13,8 @@ import rotordyn
 from bearings import Material
 from rotordyn.analyses.campbell import solve as campbell
 from rotordyn.analyses.campbell.spec import CampbellSpec
-from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.lumped import PointMass
+from rotordyn.machine.rotor import RayleighDamping
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 from rotordyn.modes.overdamped import OVERDAMPED

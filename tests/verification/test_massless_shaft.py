@@ -15,7 +15,7 @@ from rotordyn.analyses import CampbellSpec, Conditions
 from rotordyn.analyses.campbell.result import CampbellResult
 from rotordyn.analyses.solving import solve_spindle
 from rotordyn.machine import Disc, LinearSupport, Section, Shaft, Spindle
-from rotordyn.machine.damping import RayleighDamping
+from rotordyn.machine.rotor import RayleighDamping
 from tests.oracles.rotors import STEEL
 from tests.oracles.spindles import RPM
 from tests.oracles.standard_beam import plane_bending

@@ -13,9 +13,9 @@ from rotordyn.analyses.frf.solve import solve
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.measured_response import Port
 from rotordyn.equation.mesh import build_mesh
-from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.joint import Joint
+from rotordyn.machine.rotor import RayleighDamping
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.scene.conditions import Conditions

@@ -18,12 +18,11 @@ from rotordyn.analyses.measured_response import Port
 from rotordyn.analyses.unbalance import solve as unbalance
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.errors import InvalidInput
-from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.housing import RigidHousing
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.lumped import PointMass
-from rotordyn.machine.rotor import Rotor
+from rotordyn.machine.rotor import RayleighDamping, Rotor
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport

@@ -31,8 +31,7 @@ from rotordyn.analyses import (
 )
 from rotordyn.analyses.section_forces.outer_fibre import outer_fibre
 from rotordyn.case.case import Case
-from rotordyn.machine.misalignment import Misalignment
-from rotordyn.machine.seat import BearingSeat
+from rotordyn.machine.seat import BearingSeat, Misalignment
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.sleeve import Sleeve, Spring
 from rotordyn.machine.spindle import Spindle

@@ -35,8 +35,7 @@ from rotordyn.equation.mesh import build_mesh
 from rotordyn.equation.seat import turn
 from rotordyn.errors import TooCostly
 from rotordyn.machine.inertia import rotor_inertia
-from rotordyn.machine.misalignment import Misalignment
-from rotordyn.machine.seat import BearingSeat
+from rotordyn.machine.seat import BearingSeat, Misalignment
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.sleeve import Sleeve, Spring
 from rotordyn.machine.spindle import Spindle

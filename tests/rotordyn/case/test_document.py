@@ -7,10 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from rotordyn.case.document import read_document
+from rotordyn.case.document import read_document, resolve
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node
-from rotordyn.case.scalars import resolve
 
 
 def read(tmp_path: Path, text: str) -> Node:

@@ -8,6 +8,7 @@ import pytest
 
 import rotordyn
 from rotordyn.case import library
+from rotordyn.errors import InvalidInput
 
 ROOT = Path(__file__).parents[3]
 
@@ -34,7 +35,7 @@ def test_path_is_relative_to_the_file_that_names_it(tmp_path: Path) -> None:
 
 
 def test_unknown_name_lists_the_known() -> None:
-    with pytest.raises(library.UnknownModel, match=r"allowed: 6012, .*did you mean vex7"):
+    with pytest.raises(InvalidInput, match=r"allowed: 6012, .*did you mean vex7"):
         library.find("bearings", "VEX7O", Path("case.yaml"))
 
 

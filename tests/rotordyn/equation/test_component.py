@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from rotordyn.equation.component import Component
-from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.housing import RigidHousing
+from rotordyn.machine.rotor import RayleighDamping
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 from tests.oracles.rotors import STEPPED

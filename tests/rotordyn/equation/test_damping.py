@@ -11,7 +11,7 @@ from scipy.linalg import eigh
 from rotordyn.equation import reduce as reduction
 from rotordyn.equation.damping import modal_damping
 from rotordyn.equation.reduce import reduce
-from rotordyn.machine.damping import RayleighDamping
+from rotordyn.machine.rotor import RayleighDamping
 from tests.oracles.rotors import uniform
 
 VALUES = np.array([0.0, 0.0, 1.0, 4.0, 9.0])

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from rotordyn.errors import InvalidInput
-from rotordyn.machine.damping import RayleighDamping
+from rotordyn.machine.rotor import RayleighDamping
 from rotordyn.machine.spindle import Spindle
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.scene import Scene
