@@ -89,9 +89,10 @@ class LifeSpec(Spec):
         ]
         for index, step in enumerate(self.spectrum):
             places += [("spectrum", index, "radial", name) for name in step.radial]
-            for name in filter(seats.__contains__, step.radial):
-                load = (0.0, step.radial[name], 0.0, 0.0, 0.0)
-                if why := seats[name].refusal(load, UNTILTED):
+            for name, radial in step.radial.items():
+                bearing = seats.get(name)  # None also where its model is faulty
+                load = (0.0, radial, 0.0, 0.0, 0.0)
+                if bearing is not None and (why := bearing.refusal(load, UNTILTED)):
                     yield ("spectrum", index, "radial", name), why
             yield from self._loads(setting, index, step)
             if step.speed > setting.top:
