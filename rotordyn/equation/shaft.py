@@ -31,7 +31,7 @@ from rotordyn.equation.fineness import (
     resolved,
     rod_wave,
 )
-from rotordyn.equation.mesh import COINCIDENT, Mesh, divided
+from rotordyn.equation.mesh import COINCIDENT, Mesh, divided, station_mesh
 from rotordyn.equation.section import ENDS, MIDDLE, axial, sections_at, sheared, torsion
 from rotordyn.equation.term import Part
 from rotordyn.errors import InvalidInput
@@ -241,7 +241,7 @@ def _elements(spindle: Spindle, shown: Mesh, fine: Fineness) -> tuple[Mesh, Indi
     if fine.accuracy is None:
         mesh = divided(shown, np.full(shown.nodes - 1, 2**fine.finer, dtype=np.intp))
         return mesh, *np.ones((2, mesh.nodes - 1), dtype=np.intp)
-    coarse = shown.between_stations
+    coarse = station_mesh(spindle)
     ratio = coarse.steepness
     wave = bending_wave(fine.band, fine.spin, *sections_at(spindle, coarse, ENDS)).max(axis=1)
     parts, degree = parts_and_degree(wave * coarse.length, fine.accuracy, ratio)
