@@ -140,12 +140,13 @@ class FreeMotions:
         stiff supports slow motions look like free ones."""
         free = self.modes.at_rest()
         order = np.abs(self.modes.pole).argsort(axis=-1).argsort(axis=-1)
-        rows = np.flatnonzero(free.any(axis=-1)).tolist()
-        for row, count in zip(rows, free_directions(self.linear, rows), strict=True):
-            constrained = free[row] & (order[row] >= count * (1 if self.whirling else 2))
-            if (self.modes.rounding[row] > LOST * np.abs(self.modes.pole[row]))[constrained].any():
-                raise InvalidInput(too_stiff(self.linear))
-            free[row] &= ~constrained
+        rows = np.flatnonzero(free.any(axis=-1))
+        count = free_directions(self.linear, rows) * (1 if self.whirling else 2)
+        constrained = free[rows] & (order[rows] >= count[:, None])
+        lost = self.modes.rounding[rows] > LOST * np.abs(self.modes.pole[rows])
+        if lost[constrained].any():
+            raise InvalidInput(too_stiff(self.linear))
+        free[rows] &= ~constrained
         return free
 
     @cached_property

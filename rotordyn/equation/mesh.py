@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_left
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import accumulate, pairwise
 from typing import Any
@@ -133,11 +133,6 @@ class Mesh:
     def node_at(self, rotor: str, x: float) -> int:
         """Return the node of a rotor at ``x`` [m] among those of all; raises as ``node_of``."""
         return self.spans[rotor].start + self.of_rotors[rotor].node_of(x)
-
-    def within(self, rotor: str, nodes: Iterable[int]) -> tuple[int, ...]:
-        """Return those of ``nodes`` that belong to a rotor, numbered as in its own mesh."""
-        span = self.spans[rotor]
-        return tuple(n - span.start for n in nodes if span.start <= n < span.stop)
 
 
 def build_mesh(spindle: Spindle, element_length: float | None = None) -> Mesh:

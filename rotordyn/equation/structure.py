@@ -15,12 +15,11 @@ from functools import cached_property
 import numpy as np
 
 from rotordyn.arrays import Array, Indices
-from rotordyn.equation.axial_force import Slopes, slope_rows
+from rotordyn.equation.axial_force import Slopes, slope_rows, weighted
 from rotordyn.equation.component import Coarse, Component, Solved
 from rotordyn.equation.dofs import DIRECTIONS, Dofs, Line, position
 from rotordyn.equation.drawbar import drawbar_links
 from rotordyn.equation.fineness import Fineness
-from rotordyn.equation.groups import first_joined, join
 from rotordyn.equation.housing import Foundation
 from rotordyn.equation.joint import joint_parts
 from rotordyn.equation.lumped import lumped_parts
@@ -38,6 +37,7 @@ from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.squeeze_film import SqueezeFilmDamper
 from rotordyn.machine.support import GROUND, SPINDLE, LinearSupport
+from rotordyn.numerics.groups import first_joined, join
 from rotordyn.numerics.sparse import summed
 
 PAIRED = {"y": "z", "z": "y", "thy": "thz", "thz": "thy"}  # planes keep the same static modes
@@ -289,9 +289,7 @@ class Structure:
             return len(element), rows
         middle = self.shown.middle[element]
         inside = ((bar.start < middle) & (middle < bar.end)).astype(float)
-        return len(element), [
-            (at, dofs, shapes * inside[at][:, :, None]) for at, dofs, shapes in rows
-        ]
+        return len(element), weighted(rows, inside)
 
     def _polar(self, included: np.ndarray, way: str) -> list[Part]:
         """Return gyroscopic parts that act on a bending plane, both sides of them in that plane."""
