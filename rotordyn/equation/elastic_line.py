@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -40,8 +40,8 @@ def compliance(spindle: Spindle, mesh: Mesh, *, rigid: bool) -> Compliance:
     for joint in spindle.joints:
         stiffness = joint.axial, joint.radial, joint.radial, joint.torsion, joint.tilt, joint.tilt
         joints[mesh.node_of(joint.x)] = elastic / np.array(stiffness)
-    integrals = (elastic * (powers / rigidity).sum(axis=-1) for rigidity in rigidities)
-    return Compliance(*integrals, joints=joints)
+    shaft = Compliance(*(elastic * (powers / rigidity).sum(axis=-1) for rigidity in rigidities))
+    return replace(shaft, joints=joints)
 
 
 def elastic_line(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -12,12 +11,11 @@ from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.equation.seat import in_spindle_frame
 from rotordyn.equation.statics import stays_stable
 from rotordyn.equation.term import State
+from rotordyn.numerics.crossing import boundary
 from rotordyn.results.display import RPM
 
 if TYPE_CHECKING:
     from rotordyn.scene.statics import Statics
-
-HALVINGS = 30
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -33,7 +31,7 @@ class Loading:
 
     def outcomes(self) -> tuple[str, ...]:
         """Return a message per state: empty, or that the shaft buckles, and what it withstands."""
-        finite = np.isfinite(self.seat_load).all(axis=1)
+        finite = np.asarray(np.isfinite(self.seat_load).all(axis=1))
         along = self.machine.along(self.machine.grounded, self.seat_load)
         if not finite.any() or not along.compresses:
             return ("",) * len(self.speed)
@@ -66,7 +64,9 @@ class Loading:
             self.machine.grounded.drawbar,
         )
         if bar and bar.contacts and self._withstands(rows, 1.0, 0.0)[0]:
-            largest = _largest(lambda share: bool(self._withstands(rows, 1.0, share)[0]))
+            largest, _ = boundary(
+                lambda share: bool(self._withstands(rows, 1.0, share)[0]), 0.0, 1.0
+            )
             return (
                 f"the drawbar force buckles the shaft at {rpm:.0f} rpm: given "
                 f"{bar.force / 1e3:.4g} kN, at most {largest * bar.force / 1e3:.4g} kN"
@@ -74,17 +74,8 @@ class Loading:
         acting, cause = self.machine.conditions, "axial force"
         if acting.tension < 0.0 and not acting.axial_force and not self.machine.gravity:
             cause = f"tension of {acting.tension / 1e3:.4g} kN"
-        largest = _largest(lambda share: bool(self._withstands(rows, share, share)[0]))
+        largest, _ = boundary(lambda share: bool(self._withstands(rows, share, share)[0]), 0.0, 1.0)
         return (
             f"the {cause} buckles the shaft at {rpm:.0f} rpm, {largest:.3g} times that force "
             "would not: lessen it or hold the shaft better"
         )
-
-
-def _largest(stands: Callable[[float], bool]) -> float:
-    """Return the largest share below 1 at which the shaft is stable, by bisection."""
-    low, high = 0.0, 1.0
-    for _ in range(HALVINGS):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if stands(middle) else (low, middle)
-    return low
