@@ -184,13 +184,11 @@ class FreeMotions:
         """Return receptances in a frame rotating with the shaft: whirl at ω + Ω has ω there."""
 
         def evaluate(rows: Array, other: Array) -> Complex:
-            parts = []
-            omegas = np.broadcast_to(omega, (len(self.linear.speed), omega.shape[-1]))
-            for row, spin in enumerate(self.linear.speed):
-                both = np.concatenate([omegas[row] + spin, spin - omegas[row]])
-                at_speed = self.modes.at(np.array([0 if self.solved_once else row]))
-                parts.append(at_speed.receptance(both, rows, other))
-            return np.concatenate(parts)
+            spin, modes = self.linear.speed[:, None], self.modes
+            if self.solved_once:
+                modes = modes.at(np.zeros(len(spin), dtype=np.intp))
+            both = np.concatenate([omega + spin, spin - omega], axis=-1)
+            return modes.receptance(both, rows, other)
 
         return self._in_planes(evaluate, responses, excitations)
 

@@ -229,29 +229,10 @@ class _Sweep:
             path = np.tile(np.arange(columns.shape[1]), (len(columns), 1))
         else:
             path = follow(steps, np.take_along_axis(expected, columns, axis=1))
-        path = path[:, (path[self.given] >= 0).any(axis=0)]
-        column = np.where(path < 0, -1, np.take_along_axis(columns, path, axis=1))
-        return self._branches(linear, subsystem, side, column)
-
-    def ahead(self, ceiling: float) -> Complex:
-        """Return poles (s, k) expected at the next speed: λ − w (λ ΔC + ΔK) v. Columns whose poles
-        are all beyond ``ceiling`` [rad/s], and the last speed, keep theirs."""
-        expected, columns = self.pole.copy(), (np.abs(self.pole.imag) < ceiling).any(axis=0)
-        pole = self.pole[:-1, columns]
-        vector, left = self.vector[:-1, :, columns], self.left[:-1, columns]
-        damped = times(np.diff(self.damping, axis=0), vector)
-        with np.errstate(invalid="ignore", over="ignore"):
-            change = pole[:, None] * damped + times(np.diff(self.stiffness, axis=0), vector)
-            move = np.einsum("skn,snk->sk", left, change)
-            small = np.abs(move) < FARTHEST * np.abs(pole)
-        expected[:-1, columns] = np.where(small, pole - move, pole)
-        return expected
-
-    def _branches(
-        self, linear: Linear, subsystem: int, side: float, column: Indices
-    ) -> list[Branch]:
-        """Return branches by their ``column`` at every speed (s, k); −1 where they are lost."""
-        lost, given = column < 0, self.given
+        given = self.given
+        path = path[:, (path[given] >= 0).any(axis=0)]
+        lost = path < 0
+        column = np.where(lost, -1, np.take_along_axis(columns, path, axis=1))
         pole = np.take_along_axis(self.pole, column, axis=1)
         pole[lost] = NO_POLE
         vector = np.take_along_axis(self.vector, column[:, None], axis=2)
@@ -274,6 +255,20 @@ class _Sweep:
             )
             for k, kind in enumerate(kinds)
         ]
+
+    def ahead(self, ceiling: float) -> Complex:
+        """Return poles (s, k) expected at the next speed: λ − w (λ ΔC + ΔK) v. Columns whose poles
+        are all beyond ``ceiling`` [rad/s], and the last speed, keep theirs."""
+        expected, columns = self.pole.copy(), (np.abs(self.pole.imag) < ceiling).any(axis=0)
+        pole = self.pole[:-1, columns]
+        vector, left = self.vector[:-1, :, columns], self.left[:-1, columns]
+        damped = times(np.diff(self.damping, axis=0), vector)
+        with np.errstate(invalid="ignore", over="ignore"):
+            change = pole[:, None] * damped + times(np.diff(self.stiffness, axis=0), vector)
+            move = np.einsum("skn,snk->sk", left, change)
+            small = np.abs(move) < FARTHEST * np.abs(pole)
+        expected[:-1, columns] = np.where(small, pole - move, pole)
+        return expected
 
 
 def _filled(values: NDArray[Any], columns: int, axis: int) -> NDArray[Any]:
