@@ -20,12 +20,12 @@ from rotordyn.equation.axial_force import geometric_stiffness
 from rotordyn.equation.component import Component
 from rotordyn.equation.connection import Connection
 from rotordyn.equation.constraint import allowed_motions, strained_motions
-from rotordyn.equation.groups import first_joined, join
 from rotordyn.equation.hysteresis import Hysteresis
-from rotordyn.equation.linear import Linear, planes_identical, planes_of
+from rotordyn.equation.linear import Linear, planes_identical
 from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import Link, LinkMatrices, State
 from rotordyn.machine.support import SPINDLE
+from rotordyn.numerics.groups import first_joined, join
 
 STIFF = 1e6  # of the softest mode's stiffness: links as stiff take six of its digits
 
@@ -156,17 +156,13 @@ def _loss(linear: Linear, connections: Sequence[Connection]) -> Hysteresis | Non
     spindle = linear.structure.spindle
     if not spindle.hysteretic:
         return None
-    n = linear.size
-    fixed, rotating, across = np.zeros((1, n, n)), np.zeros((n, n)), np.zeros((n, n))
+    n, factor = linear.size, spindle.loss_factor
+    fixed, rotating = np.zeros((1, n, n)), np.zeros((n, n))
     for component, at in zip(linear.components, linear.slices, strict=True):
         if component.spindle is not None:
             target = rotating if component.bends else fixed[0]
-            target[at, at] += spindle.loss_factor * component.stiffness
-    for y, z in planes_of(linear):
-        in_y, in_z = linear.slices[y], linear.slices[z]
-        across[in_y, in_z] += rotating[in_y, in_y]
-        across[in_z, in_y] -= rotating[in_z, in_z]
+            target[at, at] += factor * component.stiffness
     for connection in connections:
         if connection.link.loss_factor:
             fixed = fixed + connection.link.loss_factor * connection.stiffness
-    return Hysteresis(fixed, rotating, across)
+    return Hysteresis(fixed, rotating, linear.across(lambda y, _: factor * y.stiffness))

@@ -35,7 +35,13 @@ def slope_rows(shaft: Shaft, shown: Mesh, way: str) -> tuple[list[Rows], Indices
     x = middle[:, None] + length[:, None] / 2.0 * xi
     root = np.sqrt(weight * (length[:, None] / 2.0))
     element = np.clip(np.searchsorted(shown.x, middle) - 1, 0, len(shown.length) - 1)
-    return shaft.sloped(way, x.ravel(), root.ravel()), np.repeat(element, len(xi))
+    rows = weighted(shaft.sloped(way, x.ravel()), root.ravel())
+    return rows, np.repeat(element, len(xi))
+
+
+def weighted(rows: list[Rows], weight: Array) -> list[Rows]:
+    """Return rows of one to a place times the ``weight`` (places,)."""
+    return [(at, dofs, shapes * weight[at][:, :, None]) for at, dofs, shapes in rows]
 
 
 def geometric_stiffness(slopes: Slopes, force: Array) -> Array:

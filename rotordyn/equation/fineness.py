@@ -24,6 +24,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from rotordyn.arrays import Array, Indices
+from rotordyn.numerics.crossing import boundary
 
 USUAL = 1e-4  # relative error of a frequency that a designer does not notice
 CUTOFF = 2.5  # free-free modes kept, over the highest frequency required, at the usual accuracy
@@ -34,7 +35,7 @@ HEAVIEST = 1e3  # of the cut-off: no coordinate has a higher frequency
 OWN_MASS = 0.1 * HEAVIEST  # of the cut-off: a fictitious mass changes lower frequencies by 1 %
 FINER = 2.0  # cut-off of a finer model over that of the one before; 1.5 may add no mode
 HIGHEST = 10  # degree of elements
-FAR, HALVINGS = 1e12, 30  # of a start, in ``resolved``; of the interval
+FAR = 1e12  # of a start, in ``resolved``
 SAFETY = 5.0  # required error over the one aimed at
 _DEGREES = np.arange(1, HIGHEST + 1)
 _CONE = np.array(
@@ -149,10 +150,7 @@ def resolved(error: Callable[[float], float], tolerance: float, start: float) ->
     low, high = 0.0, start
     while error(high) <= tolerance and high < FAR * start:
         low, high = high, 2.0 * high
-    for _ in range(HALVINGS):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if error(middle) <= tolerance else (low, middle)
-    return low
+    return boundary(lambda omega: error(omega) <= tolerance, low, high)[0]
 
 
 def bending_wave(

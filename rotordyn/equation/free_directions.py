@@ -2,54 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 import numpy as np
 
-from rotordyn.arrays import Array
+from rotordyn.arrays import Array, Indices
 from rotordyn.equation.connection import Connection, at_rows
 from rotordyn.equation.constraint import DEPENDENT
 from rotordyn.equation.linear import Linear
 from rotordyn.numerics.modes import NOTHING
 
 
-def free_directions(linear: Linear, rows: Iterable[int]) -> list[int]:
+def free_directions(linear: Linear, rows: Indices) -> Indices:
     """Return the number of free motions at some of the speeds.
 
     They strain no body, and no link resists them, whatever its stiffness, unless that is less than
     ``NOTHING`` of the largest; the axial force does not count.
     """
-    if not (rows := list(rows)):
-        return []
-    unstrained, relative_motions, sizes, resisted = _unstrained(linear), [], [], False
+    unstrained = _unstrained(linear)
+    least = NOTHING * np.abs(linear.stiffness[rows]).max(axis=(1, 2), initial=0.0)[:, None, None]
+    resistances = [np.zeros((len(rows), 1, unstrained.shape[1]))]
     for c in linear.connections:
         relative, size = c.motions @ unstrained, np.linalg.norm(c.motions, axis=1)
-        sizes.append(np.outer(size, size))
         relative[np.linalg.norm(relative, axis=1) <= DEPENDENT * size] = 0.0
-        resisted |= bool(c.link.rigid) or bool((c.matrices.stiffness @ relative).any())
-        relative_motions.append(_unit_rows(relative))
-    if not resisted:  # most shafts rotate freely
-        return [unstrained.shape[1]] * len(rows)
-    free_counts: dict[bytes, int] = {}  # which entries are zero is the same at most speeds
-    counts = []
-    for row in rows:
-        stiffness = [at_rows(c.matrices.stiffness, np.array([row]))[0] for c in linear.connections]
-        least = NOTHING * np.abs(linear.stiffness[row]).max(initial=0.0)
-        stiffness = [
-            np.where(np.abs(matrix) * size < least, 0.0, matrix)
-            for matrix, size in zip(stiffness, sizes, strict=True)
-        ]
-        key = b"".join((matrix != 0.0).tobytes() for matrix in stiffness)
-        if key not in free_counts:
-            resistances = [np.zeros((1, unstrained.shape[1]))]
-            for c, matrix, relative in zip(
-                linear.connections, stiffness, relative_motions, strict=True
-            ):
-                resistances.append((_scaled(matrix) + np.diag(c.rigid)) @ relative)
-            rank = int(np.linalg.matrix_rank(np.concatenate(resistances), DEPENDENT))
-            free_counts[key] = unstrained.shape[1] - rank
-        counts.append(free_counts[key])
-    return counts
+        stiffness = at_rows(c.matrices.stiffness, rows)
+        stiffness = np.where(np.abs(stiffness) * np.outer(size, size) < least, 0.0, stiffness)
+        resistances.append((_scaled(stiffness) + np.diag(c.rigid)) @ _unit_rows(relative))
+    rank = np.linalg.matrix_rank(np.concatenate(resistances, axis=1), DEPENDENT)
+    return np.asarray(unstrained.shape[1] - rank)
 
 
 def _unstrained(linear: Linear) -> Array:
@@ -78,11 +56,11 @@ def too_stiff(linear: Linear) -> str:
 
 
 def _scaled(matrix: Array) -> Array:
-    """Return a matrix (n, n) with rows and columns scaled by their size."""
+    """Return matrices (…, n, n) with rows and columns scaled by their size."""
     size = np.abs(matrix)
-    scale = np.sqrt(np.maximum(size.max(axis=0), size.max(axis=1)))
+    scale = np.sqrt(np.maximum(size.max(axis=-2), size.max(axis=-1)))
     scale = np.where(scale > 0.0, scale, 1.0)
-    return np.asarray(matrix / scale[:, None] / scale)
+    return np.asarray(matrix / scale[..., :, None] / scale[..., None, :])
 
 
 def _unit_rows(rows: Array) -> Array:

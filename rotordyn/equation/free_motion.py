@@ -140,12 +140,13 @@ class FreeMotions:
         stiff supports slow motions look like free ones."""
         free = self.modes.at_rest()
         order = np.abs(self.modes.pole).argsort(axis=-1).argsort(axis=-1)
-        rows = np.flatnonzero(free.any(axis=-1)).tolist()
-        for row, count in zip(rows, free_directions(self.linear, rows), strict=True):
-            constrained = free[row] & (order[row] >= count * (1 if self.whirling else 2))
-            if (self.modes.rounding[row] > LOST * np.abs(self.modes.pole[row]))[constrained].any():
-                raise InvalidInput(too_stiff(self.linear))
-            free[row] &= ~constrained
+        rows = np.flatnonzero(free.any(axis=-1))
+        count = free_directions(self.linear, rows) * (1 if self.whirling else 2)
+        constrained = free[rows] & (order[rows] >= count[:, None])
+        lost = self.modes.rounding[rows] > LOST * np.abs(self.modes.pole[rows])
+        if lost[constrained].any():
+            raise InvalidInput(too_stiff(self.linear))
+        free[rows] &= ~constrained
         return free
 
     @cached_property
@@ -183,13 +184,11 @@ class FreeMotions:
         """Return receptances in a frame rotating with the shaft: whirl at ω + Ω has ω there."""
 
         def evaluate(rows: Array, other: Array) -> Complex:
-            parts = []
-            omegas = np.broadcast_to(omega, (len(self.linear.speed), omega.shape[-1]))
-            for row, spin in enumerate(self.linear.speed):
-                both = np.concatenate([omegas[row] + spin, spin - omegas[row]])
-                at_speed = self.modes.at(np.array([0 if self.solved_once else row]))
-                parts.append(at_speed.receptance(both, rows, other))
-            return np.concatenate(parts)
+            spin, modes = self.linear.speed[:, None], self.modes
+            if self.solved_once:
+                modes = modes.at(np.zeros(len(spin), dtype=np.intp))
+            both = np.concatenate([omega + spin, spin - omega], axis=-1)
+            return modes.receptance(both, rows, other)
 
         return self._in_planes(evaluate, responses, excitations)
 

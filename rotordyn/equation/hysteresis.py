@@ -256,6 +256,11 @@ def signs_of(omega: Array, spin: Array, *, whirling: bool) -> Indices:
     return np.stack([forward, backward, fixed], axis=-1)
 
 
+def signs_at(omega: float, *, whirling: bool) -> Signs:
+    """Return the signs of a motion at ``omega`` times the spin."""
+    return Signs(*map(int, signs_of(np.array(omega), np.array(1.0), whirling=whirling)))
+
+
 def gathered(signs: Indices) -> Sequence[tuple[Signs, Flags]]:
     """Return each set of signs that occurs, and where (…)."""
     sets = np.unique(signs.reshape(-1, 3), axis=0)

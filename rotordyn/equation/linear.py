@@ -11,6 +11,7 @@ Theory: docs/theory/rotor.md.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import accumulate, pairwise
@@ -57,20 +58,21 @@ class Linear:
     @cached_property
     def gyroscopic(self) -> Array:
         """G (n, n): part of ``damping`` per unit of the spindle's speed."""
-        matrix = np.zeros((self.size, self.size))
-        for y, z in planes_of(self):
-            first, other = self.slices[y], self.slices[z]
-            polar = self.structure.gyroscopic(self.components[y], self.components[z])
-            matrix[first, other], matrix[other, first] = polar, -polar.T
-        return matrix
+        return self.across(self.structure.gyroscopic)
 
     @cached_property
     def turning(self) -> Array:
         """N (n, n): part of ``stiffness`` by damping in rotating parts, per unit of speed."""
+        return self.across(lambda y, _: y.turning)
+
+    def across(self, block: Callable[[Component, Component], Array]) -> Array:
+        """Return a matrix (n, n) that has the ``block`` of plane y and plane z of every shaft from
+        z to y, and minus its transpose from y to z."""
         matrix = np.zeros((self.size, self.size))
         for y, z in planes_of(self):
-            first, other, block = self.slices[y], self.slices[z], self.components[y].turning
-            matrix[first, other], matrix[other, first] = block, -block.T
+            first, other = self.slices[y], self.slices[z]
+            matrix[first, other] = block(self.components[y], self.components[z])
+            matrix[other, first] = -matrix[first, other].T
         return matrix
 
     def scaled(self, stiffness: Array, damping: Array) -> Linear:

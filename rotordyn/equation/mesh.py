@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_left
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import accumulate, pairwise
 from typing import Any
 
 import numpy as np
 
-from rotordyn.arrays import Array, Flags, Indices
+from rotordyn.arrays import Array, Indices
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.cross_section import area_moments, mean_area
-from rotordyn.machine.shaft import Section, Shaft
+from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import SPINDLE
 
@@ -29,13 +29,11 @@ class Mesh:
     """Nodes ``x`` (nodes,) [m], ascending; all else per element, shape (nodes − 1,), SI.
 
     Diameters ``outer`` and ``inner`` (2, nodes − 1) are those at the front end of an element, and
-    at its rear end, which differ for a cone. ``station`` (nodes,): which nodes are more than
-    divisions between identical elements. ``further``: meshes of further rotors by name, whose nodes
-    are numbered behind these.
+    at its rear end, which differ for a cone. ``further``: meshes of further rotors by name, whose
+    nodes are numbered behind these.
     """
 
     x: Array
-    station: Flags
     outer: Array
     inner: Array
     young_modulus: Array
@@ -71,16 +69,6 @@ class Mesh:
     def rotor(self) -> tuple[str, ...]:
         """Rotor of each of these nodes."""
         return tuple(name for name, mesh in self.of_rotors.items() for _ in mesh.x)
-
-    @property
-    def between_stations(self) -> Mesh:
-        """Mesh of the same rotor with elements from station to station."""
-        front = np.flatnonzero(self.station[:-1])
-        rear = np.append(front[1:], self.nodes - 1) - 1
-        outer, inner = (np.stack([d[0, front], d[1, rear]]) for d in (self.outer, self.inner))
-        solid: dict[str, Any] = {name: getattr(self, name)[front] for name in SOLID}
-        stations = self.x[self.station]
-        return Mesh(stations, np.ones(len(stations), dtype=bool), outer, inner, **solid)
 
     @property
     def length(self) -> Array:
@@ -146,11 +134,6 @@ class Mesh:
         """Return the node of a rotor at ``x`` [m] among those of all; raises as ``node_of``."""
         return self.spans[rotor].start + self.of_rotors[rotor].node_of(x)
 
-    def within(self, rotor: str, nodes: Iterable[int]) -> tuple[int, ...]:
-        """Return those of ``nodes`` that belong to a rotor, numbered as in its own mesh."""
-        span = self.spans[rotor]
-        return tuple(n - span.start for n in nodes if span.start <= n < span.stop)
-
 
 def build_mesh(spindle: Spindle, element_length: float | None = None) -> Mesh:
     """Return a mesh with nodes at every station, and such that no element exceeds
@@ -189,15 +172,14 @@ def _mesh(spindle: Spindle, longest: float) -> Mesh:
     section = np.searchsorted(shaft.boundaries[1:-1], (x[1:] + x[:-1]) / 2.0, side="right")
     left, length = np.array(shaft.boundaries)[section], np.array([s.length for s in shaft.sections])
     share = np.clip((np.stack([x[:-1], x[1:]]) - left) / length[section], 0.0, 1.0)
-    properties = np.array([(*s.outer, *s.inner, *_solid(s)) for s in shaft.sections])[section].T
+    rows = [
+        (*s.outer, *s.inner, s.material.young_modulus, s.material.poisson_ratio, s.density)
+        for s in shaft.sections
+    ]
+    properties = np.array(rows)[section].T
     ends = _along(properties[:2], share), _along(properties[2:4], share)
     parts = np.maximum(1, np.ceil(np.diff(x) / longest * (1.0 - COINCIDENT))).astype(np.intp)
-    return divided(Mesh(x, np.ones(len(x), dtype=bool), *ends, *properties[4:]), parts)
-
-
-def _solid(section: Section) -> tuple[float, float, float]:
-    """Return E, ν and density."""
-    return section.material.young_modulus, section.material.poisson_ratio, section.density
+    return divided(Mesh(x, *ends, *properties[4:]), parts)
 
 
 def _along(ends: Array, share: Array) -> Array:
@@ -248,8 +230,7 @@ def divided(mesh: Mesh, parts: Indices) -> Mesh:
     number = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
     inside = number * np.repeat(mesh.length / parts, parts) + np.repeat(mesh.x[:-1], parts)
     x = np.append(inside, mesh.x[-1])
-    station = np.append((number == 0) & np.repeat(mesh.station[:-1], parts), mesh.station[-1])
     share = np.stack([number, number + 1]) / np.repeat(parts, parts)
     outer, inner = (_along(np.repeat(d, parts, axis=1), share) for d in (mesh.outer, mesh.inner))
     solid: dict[str, Any] = {name: np.repeat(getattr(mesh, name), parts) for name in SOLID}
-    return replace(mesh, x=x, station=station, outer=outer, inner=inner, **solid)
+    return replace(mesh, x=x, outer=outer, inner=inner, **solid)

@@ -31,7 +31,7 @@ from rotordyn.equation.fineness import (
     resolved,
     rod_wave,
 )
-from rotordyn.equation.mesh import COINCIDENT, Mesh, divided
+from rotordyn.equation.mesh import COINCIDENT, Mesh, divided, station_mesh
 from rotordyn.equation.section import ENDS, MIDDLE, axial, sections_at, sheared, torsion
 from rotordyn.equation.term import Part
 from rotordyn.errors import InvalidInput
@@ -189,36 +189,32 @@ class Shaft:
         """Return deflection and tilt in a bending plane at stations ``x``, two rows a station; at a
         joint those of the part in front."""
 
-        def both(_: Indices, *of: Any) -> Array:
+        def both(*of: Any) -> Array:
             shape = self._bending_shapes(*of)
             return np.concatenate([shape.deflection, shape.rotation], axis=1)
 
         return self._rows_at(way, x, both)
 
-    def sloped(self, way: str, x: Array, weight: Array) -> list[Rows]:
-        """Return the slopes v′ there times ``weight`` (stations,), a row a station."""
-
-        def slope(at: Indices, *of: Any) -> Array:
-            return self._bending_shapes(*of).slope * weight[at, None, None]
-
-        return self._rows_at(way, x, slope)
+    def sloped(self, way: str, x: Array) -> list[Rows]:
+        """Return the slopes v′ there, a row a station."""
+        return self._rows_at(way, x, lambda *of: self._bending_shapes(*of).slope)
 
     def moved(self, way: str, x: Array) -> list[Rows]:
         """Return axial displacement or twist at stations ``x``, a row a station."""
-        return self._rows_at(way, x, lambda _at, _elements, *of: rod.shapes(*of))
+        return self._rows_at(way, x, lambda _, *of: rod.shapes(*of))
 
     def _bending_shapes(self, elements: Indices, degree: int, xi: Array) -> bending.Shapes:
         return bending.shapes(self.mesh.length[elements], self._phi[elements], degree, xi)
 
     def _rows_at(self, way: str, x: Array, shapes: Callable[..., Array]) -> list[Rows]:
-        """Return rows of stations ``x``; ``shapes``: (e, r, k) by their numbers, elements of one
-        degree, that degree, and ξ (e, 1)."""
+        """Return rows of stations ``x``; ``shapes``: (e, r, k) of elements of one degree, by their
+        numbers, that degree, and ξ (e, 1)."""
         element, xi = self._place(x)
         degree, parts = self._degree(way)[element], []
         for n in np.unique(degree).tolist():
             at = np.flatnonzero(degree == n)
             rows, moves = self.rows(way, element[at])
-            shape = shapes(at, element[at], n, xi[at, None])
+            shape = shapes(element[at], n, xi[at, None])
             places = shape.shape[1] * at[:, None] + np.arange(shape.shape[1])
             parts.append((places, rows, shape if moves is None else shape @ moves))
         return parts
@@ -241,7 +237,7 @@ def _elements(spindle: Spindle, shown: Mesh, fine: Fineness) -> tuple[Mesh, Indi
     if fine.accuracy is None:
         mesh = divided(shown, np.full(shown.nodes - 1, 2**fine.finer, dtype=np.intp))
         return mesh, *np.ones((2, mesh.nodes - 1), dtype=np.intp)
-    coarse = shown.between_stations
+    coarse = station_mesh(spindle)
     ratio = coarse.steepness
     wave = bending_wave(fine.band, fine.spin, *sections_at(spindle, coarse, ENDS)).max(axis=1)
     parts, degree = parts_and_degree(wave * coarse.length, fine.accuracy, ratio)

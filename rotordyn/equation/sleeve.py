@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from copy import copy
 
 import numpy as np
 
@@ -28,11 +27,11 @@ PRESSED = 1e-3  # of the free distance of their grooves: the deflection assumed 
 
 
 class Sleeves:
-    """DOF of all sleeves: ``dofs`` by name of the sleeve and direction."""
+    """DOF of all sleeves: ``dofs`` by name of the sleeve and direction; they serve spindles that
+    differ in the springs of these alone."""
 
     def __init__(self, dofs: Dofs, spindle: Spindle, fine: Fineness) -> None:
-        self.spindle, self.fine = spindle, fine
-        self.dofs: dict[tuple[str, str], int] = {}
+        self.fine, self.dofs = fine, dict[tuple[str, str], int]()
         for sleeve in spindle.sleeves:
             for direction, stiffness in springs(sleeve):
                 if math.isfinite(stiffness):
@@ -40,15 +39,9 @@ class Sleeves:
                         f"sleeve {sleeve.name}", [direction]
                     ).item()
 
-    def of(self, spindle: Spindle) -> Sleeves:
-        """Return the same DOF on the springs of another spindle."""
-        other = copy(self)
-        other.spindle = spindle
-        return other
-
-    def under(self, seat: str) -> dict[str, int]:
+    def under(self, spindle: Spindle, seat: str) -> dict[str, int]:
         """Return the DOF of the sleeve that carries a bearing, by direction."""
-        sleeve = self.spindle.sleeve_of(seat)
+        sleeve = spindle.sleeve_of(seat)
         if sleeve is None:
             return {}
         return {
@@ -57,40 +50,38 @@ class Sleeves:
             if name == sleeve.name
         }
 
-    def parts(self) -> Iterator[Part]:
+    def parts(self, spindle: Spindle) -> Iterator[Part]:
         """Yield mass, and the spring across the axis."""
-        for sleeve in self.spindle.sleeves:
+        for sleeve in spindle.sleeves:
             for direction, stiffness in springs(sleeve):
                 if (sleeve.name, direction) in self.dofs:
                     rows = _one(self.dofs[sleeve.name, direction])
-                    least = SOFT * self._bearings(sleeve)
+                    least = SOFT * _stiffness_of_bearings(spindle, sleeve)
                     mass = sleeve.mass or max(stiffness, least) / self.fine.weightless**2
                     yield Part("mass", rows, rows, np.full((1, 1, 1), mass))
                     if direction != "x":
                         yield Part("stiffness", rows, rows, np.full((1, 1, 1), stiffness))
 
-    def _bearings(self, sleeve: Sleeve) -> float:
-        """Return the approximate stiffness [N/m] of all its bearings."""
-        geometries = (
-            geometry(seat.bearing.grooves)
-            for seat in self.spindle.seats
-            if seat.name in sleeve.bearings
-        )
-        return sum(
-            g.balls * g.series_stiffness * math.sqrt(PRESSED * g.free_distance) for g in geometries
-        )
-
-    def links(self) -> Iterator[Link]:
+    def links(self, spindle: Spindle) -> Iterator[Link]:
         """Yield the spring along the axis, and the stop where the sleeve is at it."""
-        for place, sleeve in enumerate(self.spindle.sleeves):
+        for place, sleeve in enumerate(spindle.sleeves):
             if (sleeve.name, "x") in self.dofs:
-                carried = [k for k, s in enumerate(self.spindle.seats) if s.name in sleeve.bearings]
+                carried = [k for k, s in enumerate(spindle.seats) if s.name in sleeve.bearings]
                 yield Link(
                     f"sleeve {sleeve.name}",
                     _one(self.dofs[sleeve.name, "x"])[0],
                     np.ones((1, 1)),
                     _spring_and_stop(sleeve, place, carried),
                 )
+
+
+def _stiffness_of_bearings(spindle: Spindle, sleeve: Sleeve) -> float:
+    """Return the approximate stiffness [N/m] of all bearings on a sleeve."""
+    on_it = (seat for seat in spindle.seats if seat.name in sleeve.bearings)
+    geometries = (geometry(seat.bearing.grooves) for seat in on_it)
+    return sum(
+        g.balls * g.series_stiffness * math.sqrt(PRESSED * g.free_distance) for g in geometries
+    )
 
 
 def springs(sleeve: Sleeve) -> tuple[tuple[str, float], ...]:

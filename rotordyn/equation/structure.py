@@ -15,12 +15,11 @@ from functools import cached_property
 import numpy as np
 
 from rotordyn.arrays import Array, Indices
-from rotordyn.equation.axial_force import Slopes, slope_rows
+from rotordyn.equation.axial_force import Slopes, slope_rows, weighted
 from rotordyn.equation.component import Coarse, Component, Solved
 from rotordyn.equation.dofs import DIRECTIONS, Dofs, Line, position
 from rotordyn.equation.drawbar import drawbar_links
 from rotordyn.equation.fineness import Fineness
-from rotordyn.equation.groups import first_joined, join
 from rotordyn.equation.housing import Foundation
 from rotordyn.equation.joint import joint_parts
 from rotordyn.equation.lumped import lumped_parts
@@ -38,6 +37,7 @@ from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.squeeze_film import SqueezeFilmDamper
 from rotordyn.machine.support import GROUND, SPINDLE, LinearSupport
+from rotordyn.numerics.groups import first_joined, join
 from rotordyn.numerics.sparse import summed
 
 PAIRED = {"y": "z", "z": "y", "thy": "thz", "thz": "thy"}  # planes keep the same static modes
@@ -87,12 +87,12 @@ class Structure:
         terms = [housing.parts() for housing in self.housings]
         for shaft in self.shafts.values():
             terms += [shaft.parts(), lumped_parts(shaft), joint_parts(shaft)]
-        self._sleeve_parts = list(self.sleeves.parts())
+        self._sleeve_parts = list(self.sleeves.parts(spindle))
         self.parts: list[Part] = [*self._sleeve_parts, *(part for term in terms for part in term)]
         self.seats = [self._seat_link(k, seat) for k, seat in enumerate(spindle.seats)]
         self.supports = [self._support_link(support) for support in spindle.supports]
         self.dampers = [self._damper_link(damper) for damper in spindle.dampers]
-        self.sleeve_springs = list(self.sleeves.links())
+        self.sleeve_springs = list(self.sleeves.links(spindle))
         self.drawbar = list(drawbar_links(self.shafts[SPINDLE]))
         self._ports = self._port_dofs(ports)
         self._gyroscopic: dict[tuple[int, int], Array] = {}
@@ -106,10 +106,10 @@ class Structure:
         ]:
             return self
         other = copy(self)
-        other.spindle, other.sleeves = spindle, self.sleeves.of(spindle)
-        other._sleeve_parts = list(other.sleeves.parts())
+        other.spindle = spindle
+        other._sleeve_parts = list(self.sleeves.parts(spindle))
         other.parts = [*other._sleeve_parts, *self.parts[len(self._sleeve_parts) :]]
-        other.sleeve_springs = list(other.sleeves.links())
+        other.sleeve_springs = list(self.sleeves.links(spindle))
         sleeve_dofs = [*self.sleeves.dofs.values()]
         other.components = [
             replace(c, parts=[p for p in other._sleeve_parts if np.isin(p.rows, c.dofs).all()])
@@ -131,7 +131,7 @@ class Structure:
 
     def _seat_link(self, place: int, seat: BearingSeat) -> Link:
         dofs, motions = self._relative_motion(seat.name, [(SPINDLE, seat.x, 1.0)])
-        for direction, number in self.sleeves.under(seat.name).items():
+        for direction, number in self.sleeves.under(self.spindle, seat.name).items():
             dofs = np.append(dofs, number)
             motions = np.concatenate([motions, -np.eye(6)[:, [position(direction)]]], axis=1)
         return Link(seat.name, dofs, motions, seat_matrices(seat, place))
@@ -289,9 +289,7 @@ class Structure:
             return len(element), rows
         middle = self.shown.middle[element]
         inside = ((bar.start < middle) & (middle < bar.end)).astype(float)
-        return len(element), [
-            (at, dofs, shapes * inside[at][:, :, None]) for at, dofs, shapes in rows
-        ]
+        return len(element), weighted(rows, inside)
 
     def _polar(self, included: np.ndarray, way: str) -> list[Part]:
         """Return gyroscopic parts that act on a bending plane, both sides of them in that plane."""

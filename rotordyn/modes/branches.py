@@ -18,7 +18,6 @@ from numpy.typing import NDArray
 from rotordyn.arrays import Array, Complex, Flags, Indices
 from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.equation.linear import Linear
-from rotordyn.modes.band import Band
 from rotordyn.modes.overdamped import is_overdamped
 from rotordyn.numerics.follow import Steps, doubts, follow
 from rotordyn.numerics.modes import oscillates
@@ -107,29 +106,30 @@ class Branch:
         return int((self.column >= 0).argmax())
 
 
-def branches_of(scene: Scene, band: Band, motions: Sequence[str] = MOTIONS) -> list[Branch]:
-    """Return modes of the subsystems of ``motions`` that come below ``band.max_frequency``."""
-    branches = [b for k in scene.with_motions(motions) for b in _followed(scene, band, k)]
-    return [b for b in branches if np.nanmin(np.abs(b.track.pole.imag)) <= band.highest]
+def branches_of(scene: Scene, highest: float, motions: Sequence[str] = MOTIONS) -> list[Branch]:
+    """Return modes of the subsystems of ``motions`` that come below the ``highest`` angular
+    frequency [rad/s]."""
+    branches = [b for k in scene.with_motions(motions) for b in _followed(scene, highest, k)]
+    return [b for b in branches if np.nanmin(np.abs(b.track.pole.imag)) <= highest]
 
 
-def _followed(scene: Scene, band: Band, subsystem: int) -> list[Branch]:
+def _followed(scene: Scene, highest: float, subsystem: int) -> list[Branch]:
     """Return branches of a subsystem. Where modes are not clearly identified between two speeds,
     the machine is solved at further ones."""
-    sweep = _Sweep.of(scene, subsystem, band)
+    sweep = _Sweep.of(scene, subsystem, highest)
     breakpoints = breakpoints_between(scene) if "bending" in scene.name_of(subsystem) else ()
     if len(breakpoints):
-        sweep = sweep.refined(scene, subsystem, band, list(breakpoints))
+        sweep = sweep.refined(scene, subsystem, highest, list(breakpoints))
     for _ in range(0 if sweep.constant else ROUNDS):
-        further = sweep.doubts(band)
+        further = sweep.doubts(highest)
         if not further or len(sweep.speed) > MOST_STEPS:
             break
-        finer = sweep.refined(scene, subsystem, band, further)
+        finer = sweep.refined(scene, subsystem, highest, further)
         if len(finer.speed) == len(sweep.speed):
             break
         sweep = finer
     linear = scene.system(subsystem).linear
-    expected = sweep.pole if sweep.constant else sweep.ahead(MARGIN * band.highest)
+    expected = sweep.pole if sweep.constant else sweep.ahead(MARGIN * highest)
     return [
         branch
         for side in sweep.sides
@@ -159,7 +159,7 @@ class _Sweep:
     constant: bool
 
     @classmethod
-    def of(cls, scene: Scene, subsystem: int, band: Band, *, given: bool = True) -> _Sweep:
+    def of(cls, scene: Scene, subsystem: int, highest: float, *, given: bool = True) -> _Sweep:
         """Return the sweep over the usable speeds of a scene."""
         motions, speed = scene.system(subsystem), scene.speed[scene.usable]
         return cls(
@@ -167,7 +167,7 @@ class _Sweep:
             motions.pole,
             motions.vector,
             motions.left,
-            found_in(motions, MARGIN * band.highest),
+            found_in(motions, MARGIN * highest),
             motions.whirl,
             motions.linear.stiffness,
             motions.linear.damping,
@@ -175,12 +175,12 @@ class _Sweep:
             motions.solved_once,
         )
 
-    def refined(self, scene: Scene, subsystem: int, band: Band, speed: list[float]) -> _Sweep:
+    def refined(self, scene: Scene, subsystem: int, highest: float, speed: list[float]) -> _Sweep:
         """Return the sweep with more speeds, where they have a solution."""
         other = scene.at(np.setdiff1d(speed, self.speed))
         if not len(other.speed) or all(other.outcome):
             return self
-        added = _Sweep.of(other, subsystem, band, given=False)
+        added = _Sweep.of(other, subsystem, highest, given=False)
         order = np.argsort(np.concatenate([self.speed, added.speed]), kind="stable")
         columns = max(self.pole.shape[1], added.pole.shape[1])
 
@@ -212,10 +212,10 @@ class _Sweep:
         steps = Steps(np.where(present[:, None], vectors, 0.0), poles)
         return columns, steps
 
-    def doubts(self, band: Band) -> list[float]:
+    def doubts(self, highest: float) -> list[float]:
         """Return speeds that would identify modes."""
         narrowest = NARROWEST * float(np.ptp(self.speed))
-        within = WITHIN * band.highest
+        within = WITHIN * highest
         parts = [doubts(self.speed, steps, within, narrowest) for _, steps in self.sides.values()]
         return [speed for speeds in parts for speed in speeds]
 
@@ -229,29 +229,10 @@ class _Sweep:
             path = np.tile(np.arange(columns.shape[1]), (len(columns), 1))
         else:
             path = follow(steps, np.take_along_axis(expected, columns, axis=1))
-        path = path[:, (path[self.given] >= 0).any(axis=0)]
-        column = np.where(path < 0, -1, np.take_along_axis(columns, path, axis=1))
-        return self._branches(linear, subsystem, side, column)
-
-    def ahead(self, ceiling: float) -> Complex:
-        """Return poles (s, k) expected at the next speed: λ − w (λ ΔC + ΔK) v. Columns whose poles
-        are all beyond ``ceiling`` [rad/s], and the last speed, keep theirs."""
-        expected, columns = self.pole.copy(), (np.abs(self.pole.imag) < ceiling).any(axis=0)
-        pole = self.pole[:-1, columns]
-        vector, left = self.vector[:-1, :, columns], self.left[:-1, columns]
-        damped = times(np.diff(self.damping, axis=0), vector)
-        with np.errstate(invalid="ignore", over="ignore"):
-            change = pole[:, None] * damped + times(np.diff(self.stiffness, axis=0), vector)
-            move = np.einsum("skn,snk->sk", left, change)
-            small = np.abs(move) < FARTHEST * np.abs(pole)
-        expected[:-1, columns] = np.where(small, pole - move, pole)
-        return expected
-
-    def _branches(
-        self, linear: Linear, subsystem: int, side: float, column: Indices
-    ) -> list[Branch]:
-        """Return branches by their ``column`` at every speed (s, k); −1 where they are lost."""
-        lost, given = column < 0, self.given
+        given = self.given
+        path = path[:, (path[given] >= 0).any(axis=0)]
+        lost = path < 0
+        column = np.where(lost, -1, np.take_along_axis(columns, path, axis=1))
         pole = np.take_along_axis(self.pole, column, axis=1)
         pole[lost] = NO_POLE
         vector = np.take_along_axis(self.vector, column[:, None], axis=2)
@@ -274,6 +255,20 @@ class _Sweep:
             )
             for k, kind in enumerate(kinds)
         ]
+
+    def ahead(self, ceiling: float) -> Complex:
+        """Return poles (s, k) expected at the next speed: λ − w (λ ΔC + ΔK) v. Columns whose poles
+        are all beyond ``ceiling`` [rad/s], and the last speed, keep theirs."""
+        expected, columns = self.pole.copy(), (np.abs(self.pole.imag) < ceiling).any(axis=0)
+        pole = self.pole[:-1, columns]
+        vector, left = self.vector[:-1, :, columns], self.left[:-1, columns]
+        damped = times(np.diff(self.damping, axis=0), vector)
+        with np.errstate(invalid="ignore", over="ignore"):
+            change = pole[:, None] * damped + times(np.diff(self.stiffness, axis=0), vector)
+            move = np.einsum("skn,snk->sk", left, change)
+            small = np.abs(move) < FARTHEST * np.abs(pole)
+        expected[:-1, columns] = np.where(small, pole - move, pole)
+        return expected
 
 
 def _filled(values: NDArray[Any], columns: int, axis: int) -> NDArray[Any]:

@@ -20,7 +20,6 @@ from itertools import pairwise
 import numpy as np
 
 from rotordyn.arrays import Array, Complex, Matrix
-from rotordyn.modes.band import Band
 from rotordyn.modes.branches import (
     MARGIN,
     MOTIONS,
@@ -70,26 +69,29 @@ def criticals_up_to(
     top = size * float(scene.speed[-1])
     if len(scene.usable) < 2 or top < SLOWEST:
         return []
-    band = Band(BEYOND * top / (2.0 * math.pi), tuple(dict.fromkeys(orders)))
-    return critical_speeds(scene, band, *named(branches_of(scene, band, motions)))
+    highest, lines = BEYOND * top, exciting(scene.spindle.ratios, dict.fromkeys(orders))
+    return critical_speeds(scene, highest, lines, *named(branches_of(scene, highest, motions)))
 
 
 def critical_speeds(
-    scene: Scene, band: Band, branches: Sequence[Branch], names: Sequence[str]
+    scene: Scene,
+    highest: float,
+    lines: Sequence[Line],
+    branches: Sequence[Branch],
+    names: Sequence[str],
 ) -> list[Critical]:
-    """Return critical speeds of all ``engine_orders`` of every rotor between the speeds of the
-    case, up to ``band.max_frequency``, ascending by rotor, order and speed."""
-    lines = exciting(scene.spindle.ratios, band.engine_orders)
+    """Return critical speeds on ``lines`` between the speeds of the case, up to the ``highest``
+    angular frequency [rad/s], ascending by line and speed."""
     bending = {branch.subsystem for branch in branches if branch.kind == "bending"}
     starts = [start for line in lines for start in _crossed(branches, line)]
     starts += [
         start for line in lines for k in bending for start in _direct(scene, branches, k, line)
     ]
-    starts = [s for s in starts if s.line.size * s.speed <= MARGIN * band.highest]
+    starts = [s for s in starts if s.line.size * s.speed <= MARGIN * highest]
     crossings, criticals = list[tuple[Start, float, State]](), list[Critical]()
     for start, speed, state in solved(scene, branches, starts):
         oscillates = -state.pole.real <= RESONANT * abs(state.pole)
-        within = abs(state.pole.imag) <= (1.0 + ROUNDING) * band.highest
+        within = abs(state.pole.imag) <= (1.0 + ROUNDING) * highest
         repeated = any(_same(start, speed, state, other) for other in crossings)
         if repeated or not (oscillates and within):
             continue

@@ -16,7 +16,6 @@ from typing import NamedTuple
 import numpy as np
 
 from rotordyn.arrays import Array, Complex, Flags
-from rotordyn.modes.band import Band
 from rotordyn.modes.branches import Branch
 from rotordyn.modes.overdamped import OVERDAMPED
 from rotordyn.numerics.follow import matched
@@ -44,25 +43,26 @@ class ModeErrors(NamedTuple):
 
 
 def mode_errors(
-    scene: Scene, band: Band, modes: Callable[[Scene], Modes]
+    scene: Scene, highest: float, modes: Callable[[Scene], Modes]
 ) -> tuple[Scene, Modes, ModeErrors]:
-    """Return the modes of a model that is fine enough, and their errors."""
+    """Return the modes of a model that is fine enough, and their errors, judged up to the
+    ``highest`` angular frequency [rad/s]."""
 
     def solve(model: Scene) -> tuple[Modes, ModeErrors]:
         computed = modes(model)
         if model.rigid or not model.checks.wanted:
             unknown = np.full((len(model.usable), len(computed[0])), 0.0 if model.rigid else np.nan)
             return computed, ModeErrors(unknown, unknown, unknown, "")
-        return computed, _compared(model, band, computed[0])
+        return computed, _compared(model, highest, computed[0])
 
     def error(solution: tuple[Modes, ModeErrors]) -> float:
         (branches, _), errors = solution
-        judged = _judged(scene, branches, band)
+        judged = _judged(scene, branches, highest)
         return RESPONSES * (math.inf if errors.unconverged else _worst(errors, judged))
 
     scene, (computed, errors) = solve_accurately(scene, solve, error)
     judged = scene.conditions.element_length is None and scene.checks.wanted
-    unconverged = _unconverged(scene, band, computed[0], errors) if judged else ""
+    unconverged = _unconverged(scene, highest, computed[0], errors) if judged else ""
     frequency, damping = (
         np.maximum(change + errors.rounding, ROUNDING) if not scene.rigid else change
         for change in (errors.frequency, errors.damping)
@@ -70,9 +70,9 @@ def mode_errors(
     return scene, computed, ModeErrors(frequency, damping, errors.rounding, unconverged)
 
 
-def _unconverged(scene: Scene, band: Band, branches: list[Branch], errors: ModeErrors) -> str:
+def _unconverged(scene: Scene, highest: float, branches: list[Branch], errors: ModeErrors) -> str:
     """Return how the model misses the accuracy required, as a sentence, or ""."""
-    accuracy, judged = scene.conditions.accuracy, _judged(scene, branches, band)
+    accuracy, judged = scene.conditions.accuracy, _judged(scene, branches, highest)
     most = _worst(errors, judged)
     rounded = _largest(errors.rounding, judged)
     reasons = [errors.unconverged] if errors.unconverged else []
@@ -83,7 +83,7 @@ def _unconverged(scene: Scene, band: Band, branches: list[Branch], errors: ModeE
             f"rounding errors change frequencies by up to {rounded:.0e}, because supports are far "
             "stiffer than the shaft: make them rigid"
         )
-    slow = _largest(errors.frequency, _judged(scene, branches, band, overdamped=True))
+    slow = _largest(errors.frequency, _judged(scene, branches, highest, overdamped=True))
     if slow > accuracy:
         much = f"up to {slow:.0e}" if slow < SAME else f"more than {SAME:.0e}"
         reasons.append(
@@ -103,7 +103,9 @@ def _largest(errors: Array, judged: Flags) -> float:
     return float(np.nanmax(errors[judged], initial=0.0))
 
 
-def _judged(scene: Scene, branches: list[Branch], band: Band, *, overdamped: bool = False) -> Flags:
+def _judged(
+    scene: Scene, branches: list[Branch], highest: float, *, overdamped: bool = False
+) -> Flags:
     """Return the speeds at which shown modes oscillate within the band, or hardly do
     (usable, modes); those that hardly do at most speeds are not shown."""
     judged = np.zeros((len(scene.usable), len(branches)), dtype=bool)
@@ -113,16 +115,16 @@ def _judged(scene: Scene, branches: list[Branch], band: Band, *, overdamped: boo
             ratio = -branch.pole.real / np.abs(branch.pole)
             chosen = (ratio > OVERDAMPED) == overdamped
             frequency = np.minimum(np.abs(branch.pole.imag), branch.frequency_in_frame(spin))
-        judged[:, k] = (frequency <= band.highest) & chosen & (not branch.overdamped)
+        judged[:, k] = (frequency <= highest) & chosen & (not branch.overdamped)
     return judged
 
 
-def _compared(scene: Scene, band: Band, branches: list[Branch]) -> ModeErrors:
+def _compared(scene: Scene, highest: float, branches: list[Branch]) -> ModeErrors:
     """Compare poles of followed modes with the nearest ones of the finer model."""
     finer, few = scene.refined, few_rows(scene)
     rows = np.unique([*few, *(b.first_row for b in branches if (b.column[few] < 0).all())])
     errors = np.full((3, len(rows), len(branches)), np.nan)
-    unconverged, highest = "", (1.0 - SAME) * band.highest
+    unconverged = ""
     spin = _spin(scene)
     for subsystem in sorted({branch.subsystem for branch in branches}):
         motions = finer.system_at(subsystem, rows)
@@ -145,7 +147,7 @@ def _compared(scene: Scene, band: Band, branches: list[Branch]) -> ModeErrors:
             errors[2, index, chosen] = scene.system(subsystem).rounding[row, column]
             for what, unpaired in (("vanish", poles[~paired]), ("appear", extra)):
                 in_frame = np.abs(unpaired.imag - side * spin[row])
-                judged = np.minimum(unpaired.imag, in_frame) < highest
+                judged = np.minimum(unpaired.imag, in_frame) < (1.0 - SAME) * highest
                 judged &= -unpaired.real <= OVERDAMPED * np.abs(unpaired)
                 if judged.any():
                     unconverged = _sentence(scene, row, what, in_frame[judged][0])

@@ -15,7 +15,7 @@ import numpy as np
 
 from rotordyn.arrays import Array, Complex, Indices
 from rotordyn.equation.free_motion import FreeMotions, answering_stiffness
-from rotordyn.equation.hysteresis import Signs, signs_of
+from rotordyn.equation.hysteresis import signs_at
 from rotordyn.modes.branches import Branch, whirl_degree
 from rotordyn.modes.excitation import Line
 from rotordyn.numerics.correct import corrected
@@ -138,7 +138,7 @@ def _corrected(
     Cases that are mostly critical speeds (lalanne_ferraris) take 1.6 times as long by ``_states``.
     """
     linear, line = scene.linear(subsystem), starts[0].line.size
-    signs = Signs(*map(int, signs_of(np.array([line]), np.ones(1), whirling=False)[0]))
+    signs = signs_at(line, whirling=False)
     stiffness = linear.within(answering_stiffness(linear, signs)[rows])
     guess = np.asarray(np.array([s.vector for s in starts]) @ linear.basis, dtype=complex)
     damping = linear.within(linear.damping[rows])
@@ -162,8 +162,7 @@ def _motions(scene: Scene, subsystem: int, start: Start) -> FreeMotions:
     if motions.whirling:
         degree = whirl_degree(motions.linear, start.vector[None, :, None])
         order *= start.side or math.copysign(1.0, degree[0, 0])
-    signs = signs_of(np.array([order]), np.ones(1), whirling=motions.whirling)
-    return motions.answering(Signs(*map(int, signs[0])))
+    return motions.answering(signs_at(order, whirling=motions.whirling))
 
 
 def _nearest(motions: FreeMotions, row: int, start: Start, speed: float) -> State | None:

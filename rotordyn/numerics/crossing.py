@@ -1,7 +1,8 @@
-"""Zero crossings of a sampled curve, and the ranges in which it is positive."""
+"""Zero crossings of a sampled curve, the ranges in which it is positive, and bisection."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import reduce
 
 import numpy as np
@@ -50,11 +51,20 @@ def _zero(x: Array, y: Array, k: int) -> float:
     near = near[np.isfinite(y[near])]
     fitted = np.polynomial.polynomial.polyfit((x[near] - middle) / width, y[near], len(near) - 1)
     descending, positive = fitted[::-1].tolist(), bool(y[k] > 0.0)
-    low, high = -0.5, 0.5
-    for _ in range(60):  # down to rounding
-        centre = 0.5 * (low + high)
-        if (reduce(lambda sum_, c: sum_ * centre + c, descending) > 0.0) == positive:
-            low = centre
-        else:
-            high = centre
+
+    def before_zero(at: float) -> bool:
+        return (reduce(lambda sum_, c: sum_ * at + c, descending) > 0.0) == positive
+
+    low, high = boundary(before_zero, -0.5, 0.5, halvings=60)  # down to rounding
     return float(middle + width * 0.5 * (low + high))
+
+
+def boundary(
+    holds: Callable[[float], bool], low: float, high: float, halvings: int = 30
+) -> tuple[float, float]:
+    """Return both sides of a place between ``low``, where something ``holds``, and ``high``, where
+    it does not, by ``halvings`` of the interval."""
+    for _ in range(halvings):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if holds(middle) else (low, middle)
+    return low, high

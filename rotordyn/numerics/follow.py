@@ -68,22 +68,18 @@ def follow(steps: Steps, ahead: Complex | None = None) -> Indices:
     any basis of their space: each is compared with the whole space.
     """
     expected = steps.poles if ahead is None else ahead
-    partner, clear = _partners_at_once(steps, expected)
+    score = _score(steps.alike, expected[:-1], steps.poles[1:])
     last = np.arange(steps.many[0])  # column of each path at the step where it was last seen
     seen, rows = np.zeros(len(last), dtype=np.intp), [last]
     for k in range(1, len(steps.many)):
-        if clear[k - 1] and len(last) == steps.many[k]:  # no path was lost
-            last, seen = partner[k - 1, last], np.full(len(last), k)
-            rows.append(last)
-            continue
         fresh, pole = steps.of(k)
-        if (seen == k - 1).all():
-            shared = steps.alike[k - 1, last, : len(pole)]
+        if (seen == k - 1).all():  # no path was lost
+            column = matched(score[k - 1, last, : len(pole)], LEAST_MAC)
         else:
             shared = _shared(steps.vectors[seen, :, last].T, steps.poles[seen, last], fresh, pole)
-        column = matched(_score(shared, expected[seen, last], pole), LEAST_MAC)
+            column = matched(_score(shared, expected[seen, last], pole), LEAST_MAC)
         continues = column >= 0
-        new = np.setdiff1d(np.arange(len(pole)), column[continues])
+        new = np.delete(np.arange(len(pole)), column[continues])
         last = np.append(np.where(continues, column, last), new)
         seen = np.append(np.where(continues, k, seen), np.full(len(new), k))
         rows.append(np.append(column, new))
@@ -91,21 +87,6 @@ def follow(steps: Steps, ahead: Complex | None = None) -> Indices:
     for step, row in enumerate(rows):
         path[step, : len(row)] = row
     return path
-
-
-def _partners_at_once(steps: Steps, expected: Complex) -> tuple[Indices, Flags]:
-    """Return the column at the next step of each vector (steps − 1, k), and the steps (steps − 1,)
-    at which all continue, one to one, and none is new."""
-    score = _score(steps.alike, expected[:-1], steps.poles[1:])
-    score[np.isnan(score)] = -np.inf
-    columns = np.arange(score.shape[-1])
-    missing = columns >= steps.many[:-1, None]
-    if not columns.size:
-        return np.zeros(missing.shape, dtype=np.intp), np.ones(len(missing), dtype=bool)
-    partner = np.where(missing, columns, score.argmax(axis=2))
-    clear = (score.max(axis=2) >= LEAST_MAC) | missing
-    one_to_one = (np.sort(partner, axis=1) == columns) & clear
-    return partner, one_to_one.all(axis=1) & (steps.many[:-1] == steps.many[1:])
 
 
 def _score(alike: Array, at: Complex, pole: Complex) -> Array:

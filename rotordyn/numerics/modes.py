@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 
@@ -161,7 +161,7 @@ def unsolved(stiffness: Matrix, damping: Matrix) -> Modes:
     return Modes(
         np.broadcast_to(stiffness, shape),
         np.broadcast_to(damping, shape),
-        empty[..., 0, :],
+        np.zeros((*shape[:-2], 0), dtype=complex),
         empty,
         np.swapaxes(empty, -1, -2),
         np.full(shape[:-2], np.inf),
@@ -195,9 +195,7 @@ def modes(stiffness: Matrix, damping: Matrix) -> Modes:
     """
     shape = np.broadcast_shapes(stiffness.shape, damping.shape)
     if not shape[-1]:  # no coordinates
-        empty = np.zeros((*shape[:-2], 0, 0), dtype=complex)
-        pole = np.zeros(shape[:-1], dtype=complex)
-        return Modes(stiffness, damping, pole, empty, empty, np.ones(shape[:-2]))
+        return replace(unsolved(stiffness, damping), condition=np.ones(shape[:-2]))
     stiffness = np.broadcast_to(_without_free(stiffness), shape)
     damping = np.broadcast_to(damping, shape)
     conservative = conservative_modes(stiffness, damping)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from rotordyn.arrays import Array, Complex, Flags, Indices
+from rotordyn.numerics.groups import first_joined
 
 REPEATED = 1e-6  # of a value: closer ones are identified together, by the span of their vectors
 EQUAL = 1e-9  # of a pole: closer ones differ by rounding, and their vectors are any of that span
@@ -19,11 +20,8 @@ def near(values: Array | Complex, share: float = REPEATED) -> Flags:
 
 def joined(values: Array | Complex, share: float = REPEATED) -> Flags:
     """Return which values (k,) are as near, also by those between them (k, k)."""
-    linked = near(values, share)
-    linked |= linked.T
-    while (linked @ linked != linked).any():
-        linked = linked @ linked
-    return linked
+    first = first_joined(near(values, share))
+    return np.asarray(first[:, None] == first)
 
 
 def groups(values: Array | Complex, share: float = REPEATED) -> list[Indices]:

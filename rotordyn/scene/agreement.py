@@ -39,7 +39,8 @@ def setting_faults(setting: Setting) -> Faults:
     yield from _axial_restraint_faults(spindle, conditions)
     yield from _load_faults(setting)
     yield from _temperature_faults(setting)
-    yield from _table_faults(spindle, setting.speeds)
+    for support in spindle.supports:
+        yield from ((("speeds",), sentence) for sentence in support.unknown_at(setting.speeds))
     yield from _housing_faults(spindle, conditions)
     yield from _joint_faults(spindle, conditions)
     if spindle.seats:
@@ -241,12 +242,6 @@ def _isotropy_faults(support: LinearSupport) -> Faults:
 def _no_rotating_frame(what: str) -> tuple[Path, str]:
     described = "which a turning frame cannot describe"
     return FORMULATION, f"{what}, {described}: given '{ROTATING}'; allowed: {INERTIAL}"
-
-
-def _table_faults(spindle: Spindle, speeds: tuple[float, ...]) -> Faults:
-    for support in spindle.supports:
-        for sentence in support.unknown_at(speeds):
-            yield ("speeds",), sentence
 
 
 def _housing_faults(spindle: Spindle, conditions: Conditions) -> Faults:

@@ -77,7 +77,6 @@ class Scene(Statics):
         self.case_speeds, self.whirl = len(speed), 1.0
         self.coarse: Structure | None = None
         self.progress: Callable[[str], None] = lambda _: None
-        self._nodes: dict[str | float | Place, int] = {}
         self.systems: dict[int, FreeMotions] = {}
         self._at_rows: dict[tuple[int, bytes], FreeMotions] = {}
 
@@ -168,13 +167,6 @@ class Scene(Statics):
     def warnings(self) -> tuple[str, ...]:
         """Warnings about the machine at these speeds."""
         return tuple(machine_warnings(self))
-
-    def node(self, at: str | float | Place) -> int:
-        """Return the displayed node of a named point, a station on the shaft or a place, among
-        those of all rotors."""
-        if at not in self._nodes:
-            self._nodes[at] = self.mesh.node_at(*self.spindle.place(at))
-        return self._nodes[at]
 
     @stage_of(
         lambda self: (

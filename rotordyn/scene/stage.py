@@ -6,6 +6,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass
+from functools import partial
 from typing import Any, TypeVar
 
 from rotordyn.allowance import require_time
@@ -107,19 +108,14 @@ class stage(property):  # noqa: N801
         def get(staged: Staged) -> Any:
             if name not in staged.solved:
                 staged.clock.reached.add(name)
-                staged.solved[name] = own(staged, _value(staged))
+                work = partial(solve, staged)
+                value = (
+                    staged.shared(name, follows(staged), work)
+                    if follows
+                    else staged.timed(name, work)
+                )
+                staged.solved[name] = own(staged, value)
             return staged.solved[name]
-
-        def _value(staged: Staged) -> Any:
-            inputs = follows(staged) if follows else None
-            stored = staged.memo.known(name, inputs) if inputs is not None else None
-            if stored is not None:
-                staged.reused.add(name)
-                return stored[0]
-            value = staged.clock.timed(name, lambda: solve(staged))
-            if inputs is not None:
-                staged.memo.keep(name, inputs, value)
-            return value
 
         super().__init__(get, doc=solve.__doc__)
         self.name = name
@@ -145,12 +141,13 @@ class Staged:
         return self.clock.timed(name, work)
 
     def shared(self, name: str, inputs: Inputs, work: Callable[[], T]) -> T:
-        """Return a value that depends on ``inputs`` alone and is no stage, since few machines have
-        it."""
+        """Return a value that depends on ``inputs`` alone, from the memo where it is known."""
         stored = self.memo.known(name, inputs)
         if stored is None:
             stored = (self.timed(name, work),)
             self.memo.keep(name, inputs, stored[0])
+        else:
+            self.reused.add(name)
         value: T = stored[0]
         return value
 

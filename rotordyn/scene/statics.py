@@ -297,7 +297,7 @@ class Statics(Staged):
 
         structure, speed, force = self.rotor, self.state_speed, None
         if self.conditions.axial_stiffening:
-            along = self._along(self.grounded, self.unloaded.seat_load())
+            along = self.along(self.grounded, self.unloaded.seat_load())
             force = np.nan_to_num(along.bending(self.mesh.middle))
         loads = across(self.spindle, self.conditions)
         length = self.spindle.shaft.end - self.spindle.shaft.start
@@ -307,7 +307,7 @@ class Statics(Staged):
     @stage_of(lambda self: (*self._axial_inputs, self.conditions.tension))
     def shaft_force(self) -> AxialForce:
         """Axial force in the shaft at ``bearing_speed``."""
-        return self._along(self.grounded, self._seat_load)
+        return self.along(self.grounded, self._seat_load)
 
     @stage_of(lambda self: (*self._axial_inputs, self.conditions))
     def buckling(self) -> tuple[str, ...]:
@@ -320,11 +320,7 @@ class Statics(Staged):
         """Return messages as ``buckling``, for other bearing loads (states, seats) and tangents."""
         if not self.conditions.axial_stiffening:
             return ("",) * len(speed)
-        machine = self.grounded, speed, lambda: self.rotor
-        cause, tension = "axial force", self.conditions.tension
-        if tension < 0.0 and not self.conditions.axial_force and not self.gravity:
-            cause = f"tension of {tension / 1e3:.4g} kN"
-        return Loading(*machine, seat_load, seat_stiffness, self._along, cause).outcomes()
+        return Loading(self, speed, seat_load, seat_stiffness).outcomes()
 
     def bending_force(self, seat_load: Array | None = None) -> Array | None:
         """Return the axial force on bending (states, elements) [N]; None without axial stiffening.
@@ -333,10 +329,10 @@ class Statics(Staged):
         """
         if not self.conditions.axial_stiffening:
             return None
-        along = self.shaft_force if seat_load is None else self._along(self.grounded, seat_load)
+        along = self.shaft_force if seat_load is None else self.along(self.grounded, seat_load)
         return along.bending(self.mesh.middle)
 
-    def _along(self, spindle: Spindle, seat_load: Array, share: float = 1.0) -> AxialForce:
+    def along(self, spindle: Spindle, seat_load: Array, share: float = 1.0) -> AxialForce:
         """Return the axial force in the shaft under bearing loads (states, seats) and all forces of
         the conditions, each times ``share``."""
         acting, gravity = self.conditions, share * self.gravity

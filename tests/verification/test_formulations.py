@@ -26,7 +26,6 @@ from rotordyn.job import solve
 from rotordyn.job.figures import comparison_figures
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.spindle import Spindle
-from rotordyn.modes.band import Band
 from rotordyn.modes.branches import Branch, branches_of
 from rotordyn.modes.errors import mode_errors
 from rotordyn.modes.names import named
@@ -298,12 +297,12 @@ def test_modes_missed_are_named_by_the_frequency_in_the_frame() -> None:
     for found in between_shown_frequencies():
 
         def without_one(one: Scene) -> tuple[list[Branch], tuple[str, ...]]:
-            every = branches_of(one, Band(300.0))
+            every = branches_of(one, 2.0 * math.pi * 300.0)
             forward = [b for b in every if b.side > 0.0]
             left = min(forward, key=lambda b: b.frequency[-1])
             shown.append(left.frequency[-1])
             return named([b for b in every if b is not left])
 
-        _, _, errors = mode_errors(found, Band(300.0), without_one)
+        _, _, errors = mode_errors(found, 2.0 * math.pi * 300.0, without_one)
         spoken.append(float(errors.unconverged.split("one of ")[1].split(" Hz")[0]))
     assert spoken == pytest.approx([shown[0], abs(shown[-1] - 100.0)], rel=1e-4)

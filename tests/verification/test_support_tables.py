@@ -24,7 +24,6 @@ from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
-from rotordyn.modes.band import Band
 from rotordyn.modes.branches import branches_of
 from rotordyn.modes.excitation import Line
 from rotordyn.modes.roots import Start, solved
@@ -410,8 +409,8 @@ def test_no_critical_speed_by_the_supports_of_one_speed() -> None:
 
 def test_no_critical_speed_where_a_search_ends_at_the_range() -> None:
     """Without a root the secants stay at an end of the range; that is none."""
-    whole, band = rising(), Band(1500.0)
-    branches, top = branches_of(whole, band), SPEEDS[-1]
+    whole = rising()
+    branches, top = branches_of(whole, 2.0 * math.pi * 1500.0), SPEEDS[-1]
     above = [
         Start(
             k,

@@ -12,12 +12,11 @@ from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.analyses.campbell.threshold import stability_threshold
 from rotordyn.arrays import Array, Complex
 from rotordyn.equation.dofs import DIRECTIONS, position
-from rotordyn.modes.band import Band
 from rotordyn.modes.branches import MOTIONS, Branch, branches_of
 from rotordyn.modes.character import across, characters, rigid_share
 from rotordyn.modes.criticals import critical_speeds
 from rotordyn.modes.errors import mode_errors
-from rotordyn.modes.excitation import excited_by
+from rotordyn.modes.excitation import excited_by, exciting
 from rotordyn.modes.names import named
 from rotordyn.modes.overdamped import OVERDAMPED
 from rotordyn.numerics.products import times
@@ -38,17 +37,18 @@ def solve(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     rotating = scene.conditions.formulation == ROTATING
     if rotating:
         require_isotropic(scene)
-    band = Band(spec.max_frequency, spec.engine_orders)
-    wide = band._replace(max_frequency=scene.fineness.frequency) if rotating else band
+    highest = 2.0 * math.pi * spec.max_frequency
+    seen = 2.0 * math.pi * scene.fineness.frequency if rotating else highest
 
     def modes(model: Scene) -> tuple[list[Branch], tuple[str, ...]]:
-        candidates = branches_of(model, wide)
-        return named([b for b in candidates if not rotating or _within(model, b, band)])
+        candidates = branches_of(model, seen)
+        return named([b for b in candidates if not rotating or _within(model, b, highest)])
 
-    scene, (branches, names), errors = mode_errors(scene, band, modes)
+    scene, (branches, names), errors = mode_errors(scene, highest, modes)
     ends = sorted({0, len(scene.usable) - 1}) if spec.shapes else []
-    criticals = critical_speeds(scene, band, branches, names)
-    threshold = stability_threshold(scene, band, branches, names)
+    lines = exciting(scene.spindle.ratios, spec.engine_orders)
+    criticals = critical_speeds(scene, highest, lines, branches, names)
+    threshold = stability_threshold(scene, highest, branches, names)
     shape = (len(scene.usable), len(branches))
     pole = np.array([b.pole for b in branches], dtype=complex).reshape(shape[::-1]).T
     degree = _table([b.degree for b in branches], shape)
@@ -111,11 +111,12 @@ def solve(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     )
 
 
-def _within(scene: Scene, branch: Branch, band: Band) -> bool:
-    """Return whether a mode is within the band in some frame, at some speed."""
+def _within(scene: Scene, branch: Branch, highest: float) -> bool:
+    """Return whether a mode is below the ``highest`` angular frequency [rad/s] in some frame, at
+    some speed."""
     rotating = branch.frequency_in_frame(scene.speed[scene.usable])
     both = np.concatenate([rotating, np.abs(branch.track.pole.imag)])
-    return bool(np.nanmin(both) <= band.highest)
+    return bool(np.nanmin(both) <= highest)
 
 
 def _excited_by(scene: Scene, branch: Branch) -> str:

@@ -16,7 +16,6 @@ import numpy as np
 from rotordyn.arrays import Array, Flags
 from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.errors import NoSolution
-from rotordyn.modes.band import Band
 from rotordyn.modes.branches import MOTIONS, Branch, found_in
 from rotordyn.numerics.modes import grows, oscillates
 from rotordyn.scene.scene import Scene
@@ -39,9 +38,10 @@ class Threshold(NamedTuple):
 
 
 def stability_threshold(
-    scene: Scene, band: Band, branches: Sequence[Branch], names: Sequence[str]
+    scene: Scene, highest: float, branches: Sequence[Branch], names: Sequence[str]
 ) -> Threshold:
-    """Return the lowest speed of the case's range at which a followed mode begins to grow."""
+    """Return the lowest speed of the case's range at which a mode followed up to the ``highest``
+    angular frequency [rad/s] begins to grow."""
 
     def begin_at(subsystem: int, speed: Array, growing: Flags, valid: Flags) -> tuple[float, bool]:
         row = int(growing.argmax())
@@ -51,7 +51,7 @@ def stability_threshold(
         return float(speed[row]), bool(speed[row] > 0.0)
 
     def followed(subsystem: int, speed: float) -> float:
-        return _highest(band, [each for each in branches if each.subsystem == subsystem], speed)
+        return _highest(highest, [each for each in branches if each.subsystem == subsystem], speed)
 
     onsets: list[tuple[float, bool, str, int]] = []
     subsystems = {branch.subsystem for branch in branches}
@@ -76,10 +76,9 @@ def stability_threshold(
     return Threshold(first, is_bound, fastest or name)
 
 
-def _highest(band: Band, branches: Iterable[Branch], speed: float) -> float:
-    """Return the highest frequency followed near a speed [rad/s]: that of the band, or of modes
-    that leave it."""
-    highest = band.highest
+def _highest(highest: float, branches: Iterable[Branch], speed: float) -> float:
+    """Return the highest frequency followed near a speed [rad/s]: that given, or of modes that
+    exceed it."""
     for track in (branch.track for branch in branches):
         row = int(np.searchsorted(track.speed, speed))
         adjacent = track.pole.imag[max(row - 1, 0) : row + 1]

@@ -35,7 +35,6 @@ from rotordyn.arrays import Array, Complex, Flags, Indices
 from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.plausibility import undamped
-from rotordyn.modes.band import Band
 from rotordyn.modes.branches import branches_of
 from rotordyn.modes.criticals import BEYOND
 from rotordyn.modes.names import named
@@ -173,7 +172,7 @@ def _light_modes(
         return tuple(names)
     turning = scene.conditions.formulation == ROTATING
     speed = scene.speed[scene.usable] if turning else np.zeros(len(scene.usable))
-    branches, titles = named(branches_of(scene, Band(BEYOND * spec.frequencies[-1])))
+    branches, titles = named(branches_of(scene, 2.0 * math.pi * BEYOND * spec.frequencies[-1]))
     for k, places in _by_system(scene, spec.pairs).items():
         modes = [(b, name) for b, name in zip(branches, titles, strict=True) if b.subsystem == k]
         for place in places:

@@ -26,5 +26,7 @@ def test_supports_hold_what_they_touch(support: LinearSupport, free: int) -> Non
     """Of the four rigid motions of a shaft in bending."""
     shaft = uniform(0.6, 0.05, STEEL, supports=(support,))
     scene = Scene(shaft, Conditions(), np.array([0.0, 100.0]), 1000.0)
-    counts = [free_directions(scene.linear(k), [0, 1]) for k in scene.with_motions(("bending",))]
+    counts = [
+        free_directions(scene.linear(k), np.array([0, 1])) for k in scene.with_motions(("bending",))
+    ]
     assert np.sum(counts, axis=0).tolist() == [free, free]

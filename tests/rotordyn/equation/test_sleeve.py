@@ -20,7 +20,7 @@ LEAST = 3e-3 * 25 * 8288439893.606 * math.sqrt(1.247775e-6)
 
 def test_a_closed_stop_is_far_stiffer_than_the_bearings_behind_it() -> None:
     spindle = mfw2310()
-    (link, *_) = Sleeves(Dofs(), spindle, FINE).links()
+    (link, *_) = Sleeves(Dofs(), spindle, FINE).links(spindle)
     carried = [k for k, s in enumerate(spindle.seats) if s.name in spindle.sleeves[0].bearings]
     tangents = np.zeros((2, len(spindle.seats), 6, 6))
     tangents[:, carried, 0, 0] = 7e7
@@ -36,7 +36,9 @@ def test_a_sleeve_without_mass_swings_far_above_the_band(stiffness: float) -> No
     """√(k/m) is ``WEIGHTLESS`` times the band; of next to no spring as of 3e-3 of its bearing's
     stiffness."""
     spindle = with_springs(with_sleeve(mfw2310(), "front", mass=0.0), stiffness)
-    (part, *_) = (each for each in Sleeves(Dofs(), spindle, FINE).parts() if each.matrix == "mass")
+    (part, *_) = (
+        each for each in Sleeves(Dofs(), spindle, FINE).parts(spindle) if each.matrix == "mass"
+    )
     swings = math.sqrt(max(stiffness, LEAST) / part.blocks.item())
     assert swings == pytest.approx(WEIGHTLESS * 2.0 * math.pi * 1000.0)
 

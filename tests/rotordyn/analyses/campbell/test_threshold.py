@@ -15,7 +15,6 @@ from rotordyn.analyses.campbell import summary, threshold
 from rotordyn.analyses.campbell.figures.damping import damping_figure
 from rotordyn.analyses.campbell.figures.diagram import draw_unstable
 from rotordyn.analyses.campbell.figures.shapes import plane_curve, shapes_figure
-from rotordyn.modes.band import Band
 from rotordyn.modes.branches import Track
 from tests.oracles.rotors import support, uniform
 from tests.oracles.spindles import RPM, case
@@ -68,11 +67,10 @@ def test_frequencies_followed_are_those_of_the_band_and_of_modes_that_leave_it()
     """About a speed, and little more."""
     pole = np.array([np.nan, 390.0j, 450.0j])
     rising: Any = SimpleNamespace(track=Track(np.array([0.0, 10.0, 20.0]), pole, np.empty((3, 0))))
-    band = Band(400.0 / (2.0 * np.pi))
-    assert threshold._highest(band, [], 5.0) == pytest.approx(400.0)
-    assert threshold._highest(band, [rising], 10.0) == pytest.approx(400.0)
+    assert threshold._highest(400.0, [], 5.0) == pytest.approx(400.0)
+    assert threshold._highest(400.0, [rising], 10.0) == pytest.approx(400.0)
     for speed in (12.0, 20.0):
-        assert threshold._highest(band, [rising], speed) == pytest.approx(454.5)
+        assert threshold._highest(400.0, [rising], speed) == pytest.approx(454.5)
 
 
 @pytest.mark.parametrize(
