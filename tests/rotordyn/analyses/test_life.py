@@ -322,7 +322,7 @@ def test_words() -> None:
         (LifeSpec(dynamic_ratings={"a": 37_400.0}), "give that of one bearing"),
         (LifeSpec(target=1e6 * 3600.0), "is below the target of 1000000 h"),
         (LifeSpec(replace(OIL, temperature=200.0)), "κ below 0.1 up to 100 rpm"),
-        (LifeSpec(replace(OIL, temperature=200.0)), "down to 73 % there"),
+        (LifeSpec(replace(OIL, temperature=200.0)), "falls to 73 % there"),
         (
             LifeSpec(spectrum=(LoadStep(share=1.0, speed=6000 * RPM, axial_force=100e3),)),
             "under the load spectrum is below 2",
