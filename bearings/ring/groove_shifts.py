@@ -227,9 +227,9 @@ def _pressed(
         acting, others = (
             (ring.for_equal_loads(0), [ring.for_equal_loads(1)]) if axial else (ring, [])
         )
-        shifts = acting.shifts(vector, load, stiffness, others)
-        shift[:, :, part] = shifts.shift * blend[:, None, None, None]
-        for total, slope in zip(slopes, shifts.slopes, strict=True):
+        of_ring, slopes_of_ring = acting.shifts(vector, load, stiffness, others)
+        shift[:, :, part] = of_ring * blend[:, None, None, None]
+        for total, slope in zip(slopes, slopes_of_ring, strict=True):
             total[:, :, part, :, :, part] = slope * blend[:, None, None, None, None, None, None]
     flat = (states, n, 2 * contacts, n, 2 * contacts)
     return shift.reshape(states, n, 2 * contacts), (*(slope.reshape(flat) for slope in slopes),)

@@ -149,9 +149,8 @@ def _store(states: Arrays, index: Index, problem: Problem, solution: Solution) -
     outcome = np.where(crushed, "overloaded", solution.outcome)
     states["outcome"][index] = outcome
     solved = np.flatnonzero(outcome == "")
-    source, target = _places(solved), _places(index[solved])
     for name, value in values.items():
-        states[name][target] = value[source]
+        states[name][index[solved]] = value[solved]
 
 
 def _of_balls(problem: Problem, solution: Solution) -> Arrays:
@@ -180,13 +179,6 @@ def _of_balls(problem: Problem, solution: Solution) -> Arrays:
         "outer_grip": _grip((2.0 - b.inner_share) * mg, qo, g.ball_diameter),
         "status": np.where(qi > 0.0, word, idle),
     } | {name: np.moveaxis(v, 0, -1) for name, v in zip(BY_CONTACT, by_contact, strict=True)}
-
-
-def _places(index: Index) -> Index | slice:
-    """Convert consecutive indices to a slice, which avoids copies: a tenth of a single solve."""
-    if index.size and index[-1] - index[0] + 1 == index.size:
-        return slice(index[0], index[-1] + 1)
-    return index
 
 
 def _grip(moment: Array, load: Array, diameter: float) -> Array:
