@@ -7,11 +7,10 @@ Notation of Harris, *Rolling Bearing Analysis*, ch. 6: Σρ sum and F(ρ) differ
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
-import numpy as np
-
-from bearings.arrays import Array
+if TYPE_CHECKING:
+    from bearings.arrays import Array
 
 
 class HertzContact(NamedTuple):
@@ -30,11 +29,6 @@ class HertzContact(NamedTuple):
     def peak_pressure(self, load: Array) -> Array:
         """Largest pressure p = 3 Q / (2 π a b) under ``load`` Q ≥ 0 [Pa]."""
         return 1.5 / (math.pi * self.semi_axis_major * self.semi_axis_minor) * load ** (1.0 / 3.0)
-
-    def half_axes(self, load: Array) -> tuple[Array, Array]:
-        """Half-axes a along the groove and b along rolling under ``load`` Q ≥ 0 [m]."""
-        size = np.cbrt(load)
-        return self.semi_axis_major * size, self.semi_axis_minor * size
 
 
 def curvature_difference(ellipticity: float) -> float:

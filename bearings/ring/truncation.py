@@ -103,8 +103,11 @@ def truncation(state: BearingState) -> Truncation:
 
 def half_axes(g: Geometry, load: Array) -> tuple[Array, Array]:
     """Half-axes a and b under the ``load`` Q ≥ 0 of all contacts (…, contacts) [m]."""
-    (a, b), (c, d) = g.inner.half_axes(load), g.outer.half_axes(load)
-    return g.by_contact(a, c), g.by_contact(b, d)
+    size = np.cbrt(load)
+    return (
+        g.by_contact(g.inner.semi_axis_major, g.outer.semi_axis_major) * size,
+        g.by_contact(g.inner.semi_axis_minor, g.outer.semi_axis_minor) * size,
+    )
 
 
 def share_outside(lower: Array, upper: Array, least: Array, most: Array) -> Array:
