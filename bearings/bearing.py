@@ -98,6 +98,15 @@ def measured(measure: Measure, default: Any = MISSING) -> Any:
     return field(default=default, metadata={"measure": measure})
 
 
+def refusals(description: Any) -> Iterator[str]:
+    """Yield why fields of a dataclass reject their values; a default of None is one."""
+    for item in fields(description):
+        value, measure = getattr(description, item.name), item.metadata.get("measure")
+        absent = value is None and item.default is None
+        if measure is not None and not absent and (why := measure.refusal(item.name, value)):
+            yield why
+
+
 BALL_DIAMETER = Measure("length", "diameter of a ball", 1e-4, 0.2, unit="mm")
 PITCH_DIAMETER = Measure("length", "diameter of the circle of ball centres", 1e-3, 10.0, unit="mm")
 BALLS = Measure("count", "number of balls", 3, 500)
@@ -147,15 +156,8 @@ class BallBearing:
     rings: FlexibleRings | None = None
 
     def __post_init__(self) -> None:
-        for name, measure in self.measures().items():
-            value = getattr(self, name)
-            if value is None and type(self).__dataclass_fields__[name].default is None:
-                continue
-            if why := measure.refusal(name, value):
-                raise InvalidBearing(why)
-        if not (self.rings is None or isinstance(self.rings, FlexibleRings)):
-            raise InvalidBearing(f"rings must be FlexibleRings or None, got {shown(self.rings)}")
-        for fault in chain(self._overlaps(), self._faults(), self._shoulder_faults()):
+        faults = refusals(self), self._overlaps(), self._faults(), self._shoulder_faults()
+        for fault in chain(*faults):
             raise InvalidBearing(fault)
         self._check_rings()
 
@@ -191,6 +193,8 @@ class BallBearing:
         """Raise InvalidBearing for rings that do not fit the grooves."""
         if self.rings is None:
             return
+        if not isinstance(self.rings, FlexibleRings):
+            raise InvalidBearing(f"rings must be FlexibleRings or None, got {shown(self.rings)}")
         grooves = self.grooves
         for ring, inner in ((self.rings.inner, True), (self.rings.outer, False)):
             if ring is not None:

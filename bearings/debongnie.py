@@ -24,6 +24,7 @@ from bearings.ball.law import check_name
 from bearings.bearing import BallBearing
 from bearings.errors import InvalidBearing, shown
 from bearings.geometry import geometry
+from bearings.life.rating import RADIAL_FACTOR, Insides
 from bearings.ring.operation import LARGEST
 
 LOWEST, HIGHEST = 1e-2, 1e2  # range of x in which A and n hold
@@ -168,8 +169,7 @@ def race_weights(
     if size_ratio >= 1.0:
         raise InvalidBearing(f"size_ratio D/dm must be below 1, got {shown(size_ratio)}")
     _check_conformities(inner, outer)
-    grooves = inner / outer * (2.0 * outer - 1.0) / (2.0 * inner - 1.0)
-    ratio = 1.04 * ((1.0 - size_ratio) / (1.0 + size_ratio)) ** 1.72 * grooves**0.41  # Ci/Ce
+    ratio = RADIAL_FACTOR * Insides(size_ratio, 1, 1.0, inner, outer, 0.0).strength_ratio  # Ci/Ce
     return 1.0 / (1.0 + ratio**LIFE), 1.0 / (1.0 + ratio**-LIFE)
 
 

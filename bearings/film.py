@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from bearings.arguments import checked, one_each
-from bearings.arrays import Array, Flags
+from bearings.arrays import Array
 from bearings.errors import InvalidBearing, shown
 from bearings.ring.motion import contact_motion
 
@@ -115,12 +115,11 @@ def film(
     g, grooves = state.operation.geometry, state.operation.grooves
     compliance = grooves.ball_material.contact_compliance + grooves.ring_material.contact_compliance
     modulus = 2.0 / compliance
-    split = len(g.inner_grooves)
-    inner = np.arange(len(grooves.contacts)) < split
+    side = g.by_contact(1.0, -1.0)
     load = np.asarray(state.contact_load)
     angle = np.nan_to_num(np.asarray(state.contact_angle))
-    radius = 0.5 * g.ball_diameter * (1.0 - np.where(inner, 1, -1) * g.size_ratio * np.cos(angle))
-    kappa = np.where(inner, g.inner.ellipticity, g.outer.ellipticity)
+    radius = 0.5 * g.ball_diameter * (1.0 - side * g.size_ratio * np.cos(angle))
+    kappa = g.by_contact(g.inner.ellipticity, g.outer.ellipticity)
     celsius = temperature[..., None, None]
     eta = lubricant.dynamic(celsius)
     speed = np.asarray(state.speed)[..., None, None]
@@ -138,11 +137,11 @@ def film(
     )
     with np.errstate(divide="ignore", invalid="ignore"):
         stiffness = np.where(central > 0.0, load / (_BY_LOAD * central), np.inf)
-    growth = _heaviest(load, central, inner) + _heaviest(load, central, ~inner)
-    return Film(least, central, factor, stiffness, growth)
+    inner, outer = (_heaviest(load[..., race], central[..., race]) for race in g.races)
+    return Film(least, central, factor, stiffness, inner + outer)
 
 
-def _heaviest(load: Array, thickness: Array, race: Flags) -> Array:
-    """Film thickness (…, balls) of the most loaded of the contacts where ``race`` is true."""
-    index = load[..., race].argmax(axis=-1, keepdims=True)
-    return np.take_along_axis(thickness[..., race], index, axis=-1)[..., 0]
+def _heaviest(load: Array, thickness: Array) -> Array:
+    """Film thickness (…, balls) of the most loaded contact of a race (…, balls, contacts)."""
+    index = load.argmax(axis=-1, keepdims=True)
+    return np.take_along_axis(thickness, index, axis=-1)[..., 0]

@@ -13,10 +13,9 @@ from bearings.bearing import BallBearing
 from bearings.errors import InvalidBearing, NoEquilibrium, shown
 from bearings.geometry import acting, geometry, groove_origin
 from bearings.ring.assembly import full_assembly
-from bearings.ring.compliances import compliances
 from bearings.ring.equilibrium import one_by_one
 from bearings.ring.operation import finite_numbers, five_numbers
-from bearings.ring.problem import Problem, first_displacement, turns
+from bearings.ring.problem import Problem, compliances, first_displacement, turns
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -150,9 +149,8 @@ class Follower:
             move = np.repeat(last_displacement, len(omega), axis=0) if free else move
         elif free:
             move = first_displacement(problem, move)
-        d, ball, carried, stiffness, converged = one_by_one(
-            problem, move, last_ball, chained=chained
-        )[0]
+        d, ball, carried, stiffness, outcome = one_by_one(problem, move, last_ball, chained=chained)
+        converged = outcome == ""
         if free and self._geometry.touching:
             converged &= load.any(axis=1)
         self._last = (d[-1:], ball[:, -1:]) if converged[-1] else None

@@ -79,6 +79,23 @@ class Geometry(NamedTuple):
         """Whether a ball has one contact a race."""
         return len(self.inner_grooves) == len(self.outer_grooves) == 1
 
+    @property
+    def races(self) -> tuple[slice, slice]:
+        """Places of the inner and of the outer race among the contacts of a ball."""
+        split = len(self.inner_grooves)
+        return slice(split), slice(split, None)
+
+    @property
+    def sides(self) -> Array:
+        """Sign of the axial direction in which the angle of a contact is positive (contacts,)."""
+        inner, outer = ([x.offset for x in g] for g in (self.inner_grooves, self.outer_grooves))
+        return np.where(np.array([*inner, *(-x for x in outer)]) >= 0.0, 1.0, -1.0)
+
+    def by_contact(self, inner: Any, outer: Any) -> Array:
+        """Take ``inner`` at contacts of the inner race, ``outer`` at others: (…, contacts)."""
+        count = len(self.inner_grooves) + len(self.outer_grooves)
+        return np.where(np.arange(count) < len(self.inner_grooves), inner, outer)
+
 
 @lru_cache(maxsize=256)
 def geometry(bearing: Grooves) -> Geometry:

@@ -26,7 +26,6 @@ from bearings.geometry import Groove
 from bearings.ring.assembly import alike, full_assembly
 from bearings.ring.linearised import linearise
 from bearings.ring.problem import Problem, turns
-from bearings.ring.request import sides
 
 if TYPE_CHECKING:
     from bearings.bearing import BallBearing
@@ -108,10 +107,9 @@ def _axially_shifted(displacement: ArrayLike, axial: Array) -> Array:
 def grown(state: BearingState, films: Film) -> tuple[Array, Array]:
     """Apparent radial growth and axial shift of the inner groove by films (…) [m], means over the
     balls weighted by their loads on either race; NaN where there is no state."""
-    split, mean = len(state.operation.geometry.inner_grooves), np.zeros(2)
-    parts = slice(split), slice(split, None)
-    for separation, part in zip(race_separation(state, films), parts, strict=True):
-        load = np.nan_to_num(state.contact_load)[..., part].sum(axis=-1)
+    mean, races = np.zeros(2), state.operation.geometry.races
+    for separation, race in zip(race_separation(state, films), races, strict=True):
+        load = np.nan_to_num(state.contact_load)[..., race].sum(axis=-1)
         total = load.sum(axis=-1)
         share = load / np.where(total > 0.0, total, 1.0)[..., None]
         mean = mean + (share[..., None] * separation).sum(axis=-2)
@@ -135,13 +133,12 @@ def race_separation(state: BearingState, films: Film) -> tuple[Array, Array]:
     """
     loaded = np.asarray(state.contact_load) > 0.0
     geometry = state.operation.geometry
-    angle = np.where(loaded, state.contact_angle, 0.0) * sides(geometry)
+    angle = np.where(loaded, state.contact_angle, 0.0) * geometry.sides
     normal = np.stack([np.cos(angle), np.sin(angle)], axis=-1) * loaded[..., None]
     thick = np.where(loaded, np.nan_to_num(films.central), 0.0)[..., None]
-    split = len(geometry.inner_grooves)
-    parts = (slice(split), slice(split, None))
     inner, outer = (
-        (np.linalg.pinv(normal[..., race, :]) @ thick[..., race, :])[..., 0] for race in parts
+        (np.linalg.pinv(normal[..., race, :]) @ thick[..., race, :])[..., 0]
+        for race in geometry.races
     )
     return inner, outer
 

@@ -71,16 +71,6 @@ def plus(a: Row, b: Row) -> Any:
     return x, y, a[2] + b[2], a[3] + b[3]
 
 
-def minus(a: Row, b: Row) -> Any:
-    """Difference of two rows of 2 to 4 numbers."""
-    x, y = a[0] - b[0], a[1] - b[1]
-    if len(a) == 2:
-        return x, y
-    if len(a) == 3:
-        return x, y, a[2] - b[2]
-    return x, y, a[2] - b[2], a[3] - b[3]
-
-
 def determinant(m: Block) -> Any:
     """Determinant of a block."""
     return m[0][0] * m[1][1] - m[0][1] * m[1][0]
@@ -123,4 +113,5 @@ def more_by(p: Polar, q: Polar) -> Polar:
 
 def less_by(p: Polar, q: Polar) -> Polar:
     """Difference of two values."""
-    return Polar(p.value - q.value, minus(p.by, q.by))
+    a, b = p.by, q.by
+    return Polar(p.value - q.value, (a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]))

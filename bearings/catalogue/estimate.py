@@ -16,10 +16,10 @@ from bearings.catalogue.consistency import ROW_FACTOR, refuse_contradictions
 from bearings.catalogue.pair import axial_law, pair_values
 from bearings.catalogue.plausible import TIGHTEST, plausible, usual
 from bearings.catalogue.printed import Catalogue, Value
-from bearings.catalogue.races import Insides, contact_stiffness, static_rating
+from bearings.catalogue.races import contact_stiffness, static_rating
 from bearings.errors import InvalidBearing, shown
 from bearings.kinds.angular_contact import AngularContactBallBearing
-from bearings.life.rating import rating
+from bearings.life.rating import Insides, rating
 from bearings.materials import SILICON_NITRIDE, STEEL
 
 FIELDS = ("ball_diameter", "balls", "pitch_diameter", "inner_conformity", "outer_conformity")

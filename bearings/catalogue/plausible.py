@@ -13,8 +13,8 @@ import numpy as np
 from bearings.arrays import Array
 from bearings.bearing import ring_limits
 from bearings.catalogue.printed import Catalogue
-from bearings.catalogue.races import Insides
 from bearings.errors import InvalidBearing
+from bearings.life.rating import Insides
 
 BALL_SHARE = (0.265, 0.035)  # D/(outside diameter − bore): mean and standard deviation
 FILL = (0.77, 0.08)  # Z D/(π dm) likewise

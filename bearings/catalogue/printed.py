@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
+from itertools import chain
 from typing import NamedTuple
 
 from bearings.arguments import check_fields
@@ -16,6 +17,7 @@ from bearings.bearing import (
     PITCH_DIAMETER,
     Measure,
     measured,
+    refusals,
 )
 from bearings.errors import InvalidBearing
 from bearings.kinds.angular_contact import CONTACT_ANGLE
@@ -83,18 +85,8 @@ class Catalogue:
 
     def __post_init__(self) -> None:
         check_fields(self)
-        for fault in self.faults():
+        for fault in chain(refusals(self), self._list_faults(), self._size_faults()):
             raise InvalidBearing(fault)
-
-    def faults(self) -> Iterator[str]:
-        """Yield sentences on values out of range, and on lists that do not fit one another."""
-        for item in fields(self):
-            value, measure = getattr(self, item.name), item.metadata.get("measure")
-            absent = value is None and item.default is None
-            if measure is not None and not absent and (why := measure.refusal(item.name, value)):
-                yield why
-        yield from self._list_faults()
-        yield from self._size_faults()
 
     def _list_faults(self) -> Iterator[str]:
         for name, unit in LISTS.items():

@@ -8,50 +8,17 @@ from __future__ import annotations
 
 import math
 from functools import cache
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from bearings.arrays import Array
 from bearings.contact.hertz import curvature_difference, dimensionless
-from bearings.life.rating import STATIC_PRESSURE, steep
+from bearings.life.rating import STATIC_PRESSURE, Insides, steep
 from bearings.materials import Material
 
 if TYPE_CHECKING:
     from scipy.interpolate import CubicSpline
-
-
-class Insides(NamedTuple):
-    """Internal geometries of a bearing: balls, pitch circle and conformities; arrays that
-    broadcast, lengths in m, ``contact_angle`` in rad."""
-
-    ball_diameter: Array
-    balls: Array
-    pitch_diameter: Array
-    inner_conformity: Array
-    outer_conformity: Array
-    contact_angle: float
-
-    def at(self, place: int) -> Insides:
-        """Select one geometry by index."""
-        return Insides(
-            self.ball_diameter[place],
-            self.balls[place],
-            self.pitch_diameter[place],
-            self.inner_conformity[place],
-            self.outer_conformity[place],
-            self.contact_angle,
-        )
-
-    @property
-    def gamma(self) -> Array:
-        """D cos α / dm."""
-        return self.ball_diameter * math.cos(self.contact_angle) / self.pitch_diameter
-
-    @property
-    def free_distance(self) -> Array:
-        """BD, between the groove centres of a ball that just touches both [m]."""
-        return (self.inner_conformity + self.outer_conformity - 1.0) * self.ball_diameter
 
 
 def contact_stiffness(x: Insides, ball: Material, ring: Material) -> Array:

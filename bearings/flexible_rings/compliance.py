@@ -19,16 +19,6 @@ FADING = 0.2  # rad
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Shifts:
-    """Shifts (s, z, g, 2) [m] of the groove centres of a ring, axial and radial, and their
-    derivatives (s, z, g, 2, z, g, 2) by the motion of the balls against the grooves: the first of
-    ``slopes`` by this compliance, the others by further ones."""
-
-    shift: Array
-    slopes: tuple[Array, ...]
-
-
-@dataclass(frozen=True, eq=False, slots=True)
 class Compliance:
     """Compliance of one ring with z evenly spaced balls, at k angles of each of its g grooves.
 
@@ -59,11 +49,13 @@ class Compliance:
 
     def shifts(
         self, way: Array, load: Array, stiffness: Array, others: Sequence[Compliance] = ()
-    ) -> Shifts:
-        """Compute shifts by contacts of a ``load`` [N] and a slope ``stiffness`` [N/m] (s, z, g).
+    ) -> tuple[Array, list[Array]]:
+        """Compute shifts (s, z, g, 2) [m] of the groove centres, axial and radial, by contacts of a
+        ``load`` [N] and a slope ``stiffness`` [N/m] (s, z, g), and their derivatives
+        (s, z, g, 2, z, g, 2) by the motion of the balls against the grooves.
 
         ``way`` (s, z, g, 2) [m]: vector from every groove centre to its ball. ``others``: further
-        compliances, for which ``slopes`` about this state are wanted as well.
+        compliances, of which the derivatives about this state follow those of this one.
         """
         length = np.sqrt((way * way).sum(axis=-1))
         part = 1.0 / np.where(length > 0.0, length, 1.0)[..., None]
@@ -105,7 +97,7 @@ class Compliance:
         for slope in slopes:
             for g in range(way.shape[2]):
                 slope[:, balls, g, :, balls, g] += at_place[:, :, g].swapaxes(0, 1)
-        return Shifts(w[..., None] * normal + rotation[..., None] * tangent, (*slopes,))
+        return w[..., None] * normal + rotation[..., None] * tangent, slopes
 
     def _slope(self, read: Array, by: Array) -> Array:
         """``read`` · between · ``by``, each (s, z, g, g·k, 2), as (s, z, g, 2, z, g, 2)."""

@@ -85,7 +85,10 @@ class Body:
             stiffness = self.stiffness[0] + n * self.stiffness[1] + n * n * self.stiffness[2]
             part = ((2.0 if n == 0 else 1.0) * math.pi * stiffness[free][:, free]).tocsc()
             factors = splu(
-                part, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options=_SYMMETRIC
+                part,
+                permc_spec="MMD_AT_PLUS_A",
+                diag_pivot_thresh=0.0,
+                options={"SymmetricMode": True},
             )
             responses[place] = balanced[..., free] @ factors.solve(balanced[0][:, free].T.copy())
         return responses
@@ -101,7 +104,7 @@ class Body:
         t = (phi - at[place]) / (at[place + 1] - at[place])
         shapes = ((1.0 - t) * (1.0 - 2.0 * t), t * (2.0 * t - 1.0), 4.0 * t * (1.0 - t))
         basis, facet = self.basis, self._facets
-        edge = np.array([facet[tuple(sorted(pair))] for pair in _pairs(corners)])
+        edge = np.array([facet[tuple(sorted(pair))] for pair in pairwise(corners.tolist())])
         functional = np.zeros((2, basis.N))
         for k in range(2):
             unknowns = (
@@ -115,7 +118,7 @@ class Body:
 
     @cached_property
     def _facets(self) -> dict[tuple[int, ...], int]:
-        return {(*sorted(map(int, pair)),): k for k, pair in enumerate(self.basis.mesh.facets.T)}
+        return {(*sorted(pair),): k for k, pair in enumerate(self.basis.mesh.facets.T.tolist())}
 
     def _free(self, n: int) -> Index:
         """Unknowns that are solved for; of a body that is held nowhere all but those that fix its
@@ -165,13 +168,6 @@ class Body:
         forms = (_along,) if n == 0 else (_across, _tilting)
         means = np.stack([LinearForm(form).assemble(basis) for form in forms])
         return np.linalg.solve(means @ self._rigid(n).T, means)
-
-
-_SYMMETRIC = {"SymmetricMode": True}
-
-
-def _pairs(corners: Index) -> list[tuple[int, int]]:
-    return [(int(a), int(b)) for a, b in pairwise(corners)]
 
 
 def _lame(material: Material) -> tuple[float, float]:

@@ -76,24 +76,23 @@ def sliding(state: BearingState, friction: float) -> Sliding:
         raise InvalidBearing(f"friction of a contact must be positive, got {shown(friction)}")
     # under an axial load all balls are equally loaded: one ball represents them
     g, axial = state.operation.geometry, bool(state.operation.axial.all())
-    split, balls = len(g.inner_grooves), slice(1) if axial else slice(None)
+    balls = slice(1) if axial else slice(None)
     load = np.asarray(state.contact_load)[..., balls, :]
     motion = contact_motion(state)
-    inner = np.arange(load.shape[-1]) < split
-    (ai, bi), (ao, bo) = half_axes(g.inner, load), half_axes(g.outer, load)
-    f = np.where(inner, g.inner_conformity, g.outer_conformity)
-    grip = np.where(inner, state.inner_grip[..., balls, None], state.outer_grip[..., balls, None])
+    major, minor = half_axes(g, load)
+    f = g.by_contact(g.inner_conformity, g.outer_conformity)
+    grip = g.by_contact(state.inner_grip[..., balls, None], state.outer_grip[..., balls, None])
     omega = np.asarray(state.speed)[..., None, None]
     loads = np.nan_to_num(load)
     turning = (loads > 0.0) & (omega > 0.0)
     # a ball that presses a race in two places cannot roll in both: their slide is given
-    pressed = [np.sum(race > 0.0, -1, keepdims=True) for race in np.split(loads, [split], axis=-1)]
-    shared = np.where(inner, *pressed) > 1
-    side = np.where(inner, 1.0, -1.0)
+    pressed = (np.sum(loads[..., race] > 0.0, -1, keepdims=True) for race in g.races)
+    shared = g.by_contact(*pressed) > 1
+    side = g.by_contact(1.0, -1.0)
     required = grip / friction
     parts = (
-        np.where(inner, ai, ao),
-        np.where(inner, bi, bo),
+        major,
+        minor,
         side * 2.0 * f * g.ball_diameter / (2.0 * f + 1.0),
         motion.roll[..., balls, :] * omega,
         motion.spin[..., balls, :] * omega,
@@ -120,10 +119,8 @@ def spin_moment(state: BearingState, friction: float) -> Array:
     """Ms = 3/8 μ Q a E(1 − b²/a²) of every contact (…, balls, contacts) [N·m], exact for Coulomb
     friction under Hertz' pressure that spin alone drives."""
     g, load = state.operation.geometry, np.nan_to_num(np.asarray(state.contact_load))
-    inner = np.arange(load.shape[-1]) < len(g.inner_grooves)
-    length = np.where(inner, half_axes(g.inner, load)[0], half_axes(g.outer, load)[0])
-    integral = np.where(inner, g.inner.second_integral, g.outer.second_integral)
-    return np.asarray(0.375 * friction * load * length * integral)
+    integral = g.by_contact(g.inner.second_integral, g.outer.second_integral)
+    return np.asarray(0.375 * friction * load * half_axes(g, load)[0] * integral)
 
 
 def mean_speed(contacts: Contacts) -> Array:

@@ -76,9 +76,9 @@ def losses(
     speed, g = np.asarray(state.speed), state.operation.geometry
     viscosity = lubricant.kinematic(temperature)
     viscous = viscous_moment(g.pitch_diameter, viscosity, speed, oil_factor) * speed
-    slide, split = sliding(state, friction), len(g.inner_grooves)
-    races = slide.power.sum(axis=-2)
-    inner, outer = races[..., :split].sum(axis=-1), races[..., split:].sum(axis=-1)
+    slide = sliding(state, friction)
+    by_contact = slide.power.sum(axis=-2)
+    inner, outer = (by_contact[..., race].sum(axis=-1) for race in g.races)
     if model == "palmgren":  # races share his moment as they share the sliding
         load_power = load_moment(state, static_rating) * speed
         part = inner + outer

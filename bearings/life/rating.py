@@ -9,7 +9,9 @@ them.
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
 
 from bearings.arguments import checked
 from bearings.errors import InvalidBearing, shown
@@ -45,83 +47,57 @@ def steep(contact_angle: float) -> bool:
     return contact_angle > STEEPEST_RADIAL + 1e-9
 
 
-def race_ratio(grooves: Grooves, front: float = RADIAL_FACTOR) -> float:
-    """ρ: strength of the inner race over that of the outer one under equal ball loads, with the
-    leading factor ``front`` for radial bearings and 1 for thrust bearings."""
-    factor = 1.0 if is_thrust(grooves) else front
-    return factor * _strength_ratio(
-        _gamma(grooves), grooves.inner_conformity, grooves.outer_conformity
-    )
+class Insides(NamedTuple):
+    """Internal geometries of a bearing: balls, pitch circle and conformities; numbers, or arrays
+    that broadcast, lengths in m, ``contact_angle`` in rad."""
+
+    ball_diameter: Any
+    balls: Any
+    pitch_diameter: Any
+    inner_conformity: Any
+    outer_conformity: Any
+    contact_angle: float
+
+    @classmethod
+    def of(cls, grooves: Grooves) -> Insides:
+        """Internal geometry of one bearing, at its nominal angle."""
+        return cls(
+            grooves.ball_diameter,
+            grooves.balls,
+            grooves.pitch_diameter,
+            grooves.inner_conformity,
+            grooves.outer_conformity,
+            nominal_angle(grooves),
+        )
+
+    def at(self, place: int) -> Insides:
+        """Select one geometry by index."""
+        return Insides._make([*(values[place] for values in self[:-1]), self.contact_angle])
+
+    @property
+    def gamma(self) -> Any:
+        """γ = D cos α/dm."""
+        return self.ball_diameter * math.cos(self.contact_angle) / self.pitch_diameter
+
+    @property
+    def free_distance(self) -> Any:
+        """BD, between the groove centres of a ball that just touches both [m]."""
+        return (self.inner_conformity + self.outer_conformity - 1.0) * self.ball_diameter
+
+    @property
+    def strength_ratio(self) -> Any:
+        """ρ: strength of the inner race over that of the outer one under equal ball loads, of
+        radial bearings without its leading factor."""
+        inner, outer = self.inner_conformity, self.outer_conformity
+        osculation = (inner / outer * (2.0 * outer - 1.0) / (2.0 * inner - 1.0)) ** 0.41
+        return ((1.0 - self.gamma) / (1.0 + self.gamma)) ** 1.72 * osculation
 
 
 @checked
 def geometry_factor(bearing: BallBearing | Grooves) -> float:
     """fc of ISO 281 [N, mm] from the bearing's grooves, without bm = 1.3 of modern steel."""
     grooves = bearing if isinstance(bearing, Grooves) else bearing.grooves
-    gamma, alpha = _gamma(grooves), nominal_angle(grooves)
-    conformities = grooves.inner_conformity, grooves.outer_conformity
-    if not is_thrust(grooves):
-        factor: float = _radial_factor(gamma, *conformities)
-        return factor
-    size = grooves.ball_diameter / grooves.pitch_diameter
-    return float(_thrust_factor(gamma, *conformities, size, alpha))
-
-
-def rating(x: Any) -> Any:
-    """C [N] of many internal geometries, of radial or, above 45°, of thrust bearings.
-
-    ``x`` has what ``radial_rating`` takes and ``pitch_diameter`` [m]; one contact angle.
-    """
-    if not steep(x.contact_angle):
-        return radial_rating(x)
-    size = x.ball_diameter / x.pitch_diameter
-    factor = _thrust_factor(x.gamma, x.inner_conformity, x.outer_conformity, size, x.contact_angle)
-    balls = x.balls ** (2.0 / 3.0)
-    return _MATERIAL * factor * math.sin(x.contact_angle) * balls * _size_factor(x.ball_diameter)
-
-
-def radial_rating(x: Any) -> Any:
-    """C of radial bearings [N], numbers or arrays that broadcast; up to 45°.
-
-    ``x`` has ``gamma`` = D cos α/dm, ``inner_conformity``, ``outer_conformity``, ``balls``,
-    ``ball_diameter`` [m] and ``contact_angle`` α [rad].
-    """
-    factor = _radial_factor(x.gamma, x.inner_conformity, x.outer_conformity)
-    angle = math.cos(x.contact_angle) ** 0.7
-    return _MATERIAL * factor * angle * x.balls ** (2.0 / 3.0) * _size_factor(x.ball_diameter)
-
-
-def _radial_factor(gamma: Any, inner: Any, outer: Any) -> Any:
-    """fc up to 45°."""
-    both = (1.0 + (RADIAL_FACTOR * _strength_ratio(gamma, inner, outer)) ** EXPONENT) ** -0.3
-    return 0.41 * _RADIAL * _race_factor(gamma, inner) * gamma**0.3 * both
-
-
-def _thrust_factor(gamma: Any, inner: Any, outer: Any, size: Any, angle: float) -> Any:
-    """fc above 45°; ``size``: D/dm."""
-    both = (1.0 + _strength_ratio(gamma, inner, outer) ** EXPONENT) ** -0.3
-    sine = 1.0 - math.sin(angle) / 3.0
-    return _THRUST * sine * size**0.3 * _race_factor(gamma, inner) * both
-
-
-def _strength_ratio(gamma: Any, inner: Any, outer: Any) -> Any:
-    """ρ without its leading factor."""
-    osculation = (inner / outer * (2.0 * outer - 1.0) / (2.0 * inner - 1.0)) ** 0.41
-    return ((1.0 - gamma) / (1.0 + gamma)) ** 1.72 * osculation
-
-
-def _race_factor(gamma: Any, f: Any) -> Any:
-    """Factor of the inner race in fc: its osculation f and curvature along rolling [N, mm]."""
-    groove = _LUNDBERG * (2.0 * f / (2.0 * f - 1.0)) ** 0.41
-    return groove * (1.0 - gamma) ** 1.39 / (1.0 + gamma) ** (1.0 / 3.0)
-
-
-def _size_factor(ball_diameter: Any) -> Any:
-    """D^1.8 of small balls, 3.647 D^1.4 of large ones, D in mm."""
-    import numpy as np
-
-    size = ball_diameter * 1e3
-    return np.where(ball_diameter > LARGE_BALL, 3.647 * size**1.4, size**1.8)
+    return float(_factor(Insides.of(grooves)))
 
 
 @checked
@@ -132,10 +108,29 @@ def dynamic_rating(bearing: BallBearing | Grooves) -> float:
     materials: hybrid bearings keep it (ISO 20056-1).
     """
     grooves = bearing if isinstance(bearing, Grooves) else bearing.grooves
-    alpha, size = nominal_angle(grooves), float(_size_factor(grooves.ball_diameter))
+    return float(rating(Insides.of(grooves)))
+
+
+def rating(x: Insides) -> Any:
+    """C [N] of internal geometries, of radial or, above 45°, of thrust bearings."""
     # fc of thrust bearings has (D/dm)^0.3 instead of γ^0.3, so cos α^0.7 tan α becomes sin α
-    angle = math.sin(alpha) if is_thrust(grooves) else math.cos(alpha) ** 0.7
-    return _MATERIAL * geometry_factor(grooves) * angle * grooves.balls ** (2.0 / 3.0) * size
+    alpha, size = x.contact_angle, x.ball_diameter * 1e3
+    angle = math.sin(alpha) if steep(alpha) else math.cos(alpha) ** 0.7
+    by_size = np.where(x.ball_diameter > LARGE_BALL, 3.647 * size**1.4, size**1.8)
+    return _MATERIAL * _factor(x) * angle * x.balls ** (2.0 / 3.0) * by_size
+
+
+def _factor(x: Insides) -> Any:
+    """fc [N, mm]."""
+    f = x.inner_conformity
+    groove = _LUNDBERG * (2.0 * f / (2.0 * f - 1.0)) ** 0.41
+    race = groove * (1.0 - x.gamma) ** 1.39 / (1.0 + x.gamma) ** (1.0 / 3.0)
+    if steep(x.contact_angle):
+        both = (1.0 + x.strength_ratio**EXPONENT) ** -0.3
+        sine = 1.0 - math.sin(x.contact_angle) / 3.0
+        return _THRUST * sine * (x.ball_diameter / x.pitch_diameter) ** 0.3 * race * both
+    both = (1.0 + (RADIAL_FACTOR * x.strength_ratio) ** EXPONENT) ** -0.3
+    return 0.41 * _RADIAL * race * x.gamma**0.3 * both
 
 
 @checked
@@ -161,8 +156,3 @@ def static_rating(bearing: BallBearing | Grooves, pressure: float = STATIC_PRESS
     if is_thrust(grooves):
         return grooves.balls * ball * math.sin(alpha)
     return grooves.balls * ball * math.cos(alpha) / 5.0
-
-
-def _gamma(grooves: Grooves) -> float:
-    """γ = D cos α/dm at the nominal angle."""
-    return grooves.ball_diameter * math.cos(nominal_angle(grooves)) / grooves.pitch_diameter

@@ -21,10 +21,10 @@ from bearings.life.rating import (
     REFERENCE_FACTOR,
     STATIC_PRESSURE,
     WEIBULL_SLOPE,
+    Insides,
     dynamic_rating,
     is_thrust,
     nominal_angle,
-    race_ratio,
 )
 
 if TYPE_CHECKING:
@@ -70,12 +70,13 @@ def ball_ratings(
 
     grooves = bearing if isinstance(bearing, Grooves) else bearing.grooves
     c = _rating(grooves, rating)
-    ratio, alpha = race_ratio(grooves, REFERENCE_FACTOR), nominal_angle(grooves)
+    ratio, alpha = Insides.of(grooves).strength_ratio, nominal_angle(grooves)
     if is_thrust(grooves):
         inner = outer = c / (grooves.balls * np.sin(alpha))
     else:
         per_ball = c / (grooves.balls * np.cos(alpha) ** 0.7)
         inner, outer = per_ball / _INNER, per_ball / _OUTER
+        ratio *= REFERENCE_FACTOR
     return (
         float(inner * (1.0 + ratio**EXPONENT) ** 0.3),
         float(outer * (1.0 + ratio**-EXPONENT) ** 0.3),
@@ -105,16 +106,13 @@ def life_of(
         )
     grooves = state.operation.grooves
     rating = _rating(grooves, dynamic_rating)
-    split = len(grooves.inner_offsets)
-    turns = np.array(
-        [rotating != "outer"] * split + [rotating != "inner"] * len(grooves.outer_offsets)
-    )
+    g = state.operation.geometry
+    turns = g.by_contact(rotating != "outer", rotating != "inner")
     load = np.asarray(state.contact_load)
     # a point of a ring that turns against the load carries all ball loads, averaged by L ~ Q⁻³;
     # one of the other ring carries one of them, and probabilities of survival multiply
     equivalent = np.where(turns, _mean(load, 3.0), _mean(load, EXPONENT))
-    qi, qo = ball_ratings(grooves, rating)
-    capacity = np.array([qi] * split + [qo] * len(grooves.outer_offsets))
+    capacity = g.by_contact(*ball_ratings(grooves, rating))
     damage = (equivalent / capacity) ** EXPONENT
     with np.errstate(divide="ignore"):
         millions = damage.sum(axis=-1) ** (-1.0 / WEIBULL_SLOPE)

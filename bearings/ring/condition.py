@@ -144,8 +144,8 @@ def _remarks(state: BearingState) -> list[tuple[Flags, str, Array]]:
     pressure = listed(np.maximum(state.inner_pressure, state.outer_pressure)) / 1e9
     angle = listed(np.maximum(np.abs(state.inner_angle), np.abs(state.outer_angle)))
     edge = math.pi * (0.75 if grooves.free_angle > STEEP else 0.5)
-    lost = np.split(100.0 * cuts.beyond_shoulder, [len(grooves.inner_offsets)], axis=-1)
-    inner, outer = (listed(part.max(axis=-1)) for part in lost)
+    lost, g = 100.0 * cuts.beyond_shoulder, state.operation.geometry
+    inner, outer = (listed(lost[..., race].max(axis=-1)) for race in g.races)
     grip = listed(np.maximum(state.inner_grip, state.outer_grip))
     status, slipping = listed(state.status), listed(state.slipping)
     idle = (status == "lost contact") | (status == "unloaded")

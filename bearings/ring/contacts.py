@@ -52,8 +52,8 @@ def contacts(
         least = c.inner.stiffness * (tol.IDLE * EPS * c.free_distance) ** 1.5
     place = (x[0], x[1])
     shifts = dx[2:].reshape(-1, 2, *dx.shape[1:]) if len(dx) > 4 else np.zeros((4, 2, 1, 1))
-    split = len(c.inner_grooves)
-    inner_step, outer_step = centre_step[:2] - dx[:2] + shifts[:split], dx[:2] - shifts[split:]
+    by_inner, by_outer = (shifts[race] for race in c.races)
+    inner_step, outer_step = centre_step[:2] - dx[:2] + by_inner, dx[:2] - by_outer
     inner = _race_contacts(c.inner_grooves, against(tuple(a), place), 1.0, inner_step, least)
     outer = _race_contacts(c.outer_grooves, place, -1.0, outer_step, least)
     qi, si, ci = _resultant(inner, balance.inner_direction)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -11,7 +11,7 @@ from bearings.arrays import Array
 from bearings.geometry import geometry
 from bearings.ring.assembly import full_assembly
 from bearings.ring.groove_shifts import groove_shifts
-from bearings.ring.problem import Problem, turns
+from bearings.ring.problem import Problem
 from bearings.ring.state import BearingState
 
 
@@ -53,16 +53,13 @@ def ring_deflection(state: BearingState) -> RingDeflection:
     if operation.grooves.rings is not None:
         problem = Problem.of(operation, full_assembly)
         d, x = state.displacement.reshape(-1, 5), state.ball_centre
-        x, turning = x.reshape(len(x), exists.size, -1), turns(g, operation.speed)
-        for group in (turning, ~turning):
-            rows = np.flatnonzero(exists & group)
-            if rows.size:
-                part = replace(problem.take(rows), turning=bool(turning[rows[0]]))
-                way, shifts = groove_shifts(part, d[rows], x[:, rows])
-                length = np.sqrt((way * way).sum(axis=-1))
-                along = (way * shifts).sum(axis=-1)
-                shift[rows] = shifts
-                normal[rows] = along / np.where(length > 0.0, length, 1.0)
+        x = x.reshape(len(x), exists.size, -1)
+        for rows, part in problem.parts(exists):
+            way, shifts = groove_shifts(part, d[rows], x[:, rows])
+            length = np.sqrt((way * way).sum(axis=-1))
+            along = (way * shifts).sum(axis=-1)
+            shift[rows] = shifts
+            normal[rows] = along / np.where(length > 0.0, length, 1.0)
     shape = state.outcome.shape
     return RingDeflection(
         shift.reshape(*shape, *shift.shape[1:]),

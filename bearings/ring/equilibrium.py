@@ -50,8 +50,8 @@ def solve(
     state after the other instead of all together.
     """
     if compiled and problem.compliances is None:
-        states, outcome = one_by_one(problem, displacement, guess)
-        d, x, linear = states.displacement, states.ball, None
+        d, x, _, _, outcome = one_by_one(problem, displacement, guess)
+        linear = None
     else:
         d, x, outcome, linear = _together(problem, displacement, guess)
         failed = np.flatnonzero(outcome != "")
@@ -77,29 +77,27 @@ def solve(
 
 def one_by_one(
     problem: Problem, displacement: Array, guess: Array | None, *, chained: bool = False
-) -> tuple[CompiledStates, Words]:
-    """Solve by the compiled solver, see ``compiled_states``; also return the outcome of each state.
+) -> CompiledStates:
+    """Solve by the compiled solver, see ``compiled_states``.
 
     States that it does not find are solved as a batch, where free motions are followed; and so is
     every bearing whose rings deform, which the compiled solver does not support.
     """
     if problem.compliances is not None:
         start = None if guess is None or guess.shape[1] != len(displacement) else guess
-        solution = solve(problem, displacement, start)
-        exists = solution.outcome == ""
+        batch = solve(problem, displacement, start)
         return CompiledStates(
-            solution.displacement, solution.ball, solution.ring_load, solution.stiffness, exists
-        ), solution.outcome
+            batch.displacement, batch.ball, batch.ring_load, batch.stiffness, batch.outcome
+        )
     solved = compiled_states(problem, displacement, guess, chained=chained)
-    outcome = _words(solved.exists)
-    missing = (~solved.exists).nonzero()[0]
+    missing = np.flatnonzero(solved.outcome)
     if missing.size:
         part = problem.take(missing)
         retried = solve(part, first_displacement(part, displacement[missing]))
         solved.displacement[missing], solved.load[missing] = retried.displacement, retried.ring_load
         solved.ball[:, missing], solved.stiffness[missing] = retried.ball, retried.stiffness
-        outcome[missing], solved.exists[missing] = retried.outcome, retried.outcome == ""
-    return solved, outcome
+        solved.outcome[missing] = retried.outcome
+    return solved
 
 
 def _together(
@@ -112,7 +110,7 @@ def _together(
     if problem.turning and guess is not None:
         d, x, solved, linear = corrected(problem, d, guess, np.full(states, problem.full))[:4]
         solved &= problem.law.one_branch
-    outcome = _words(solved)
+    outcome = np.where(solved, "", "no equilibrium")
     cold = np.flatnonzero(~solved)
     if cold.size:
         part, linear = problem.take(cold), None
@@ -121,7 +119,8 @@ def _together(
         if problem.placed or problem.compliances is not None:
             d[cold], x[:, cold], converged = _followed(part, d[cold], x[:, cold], reached)
         heavy = np.abs(part.load).max(axis=1) > tol.LIGHT
-        outcome[cold] = np.where(reached | ~heavy, _words(converged), "overloaded")
+        words = np.where(reached | ~heavy, "no equilibrium", "overloaded")
+        outcome[cold] = np.where(converged, "", words)
     return d, x, outcome, linear
 
 
@@ -139,13 +138,6 @@ def _followed(problem: Problem, d: Array, x: Array, reached: Flags) -> tuple[Arr
         initial = start[0][failed], start[1][:, failed], np.ones(failed.size, dtype=bool)
         d[failed], x[:, failed], converged[failed], _ = followed(part, *initial)
     return d, x, converged
-
-
-def _words(done: Flags) -> Words:
-    """Outcome of each state: empty where it is ``done``."""
-    outcome = np.zeros(len(done), dtype="<U16")
-    outcome[~done] = "no equilibrium"
-    return outcome
 
 
 def _last_digits(

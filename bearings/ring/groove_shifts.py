@@ -206,22 +206,18 @@ def _pressed(
     """Shifts of all grooves (s, n, 2c), and their derivatives by the ways (s, n, 2c, n, 2c): for
     the motion solved for, and, where one ball represents all, for motion across it."""
     states, n, contacts = way.shape[:3]
-    split, rings = len(c.inner_grooves), problem.compliances
     axial = problem.assembly.balls < problem.geometry.balls
-    assert rings is not None
+    assert problem.compliances is not None
     shift = np.zeros((states, n, contacts, 2))
     slopes = [np.zeros((states, n, contacts, 2, n, contacts, 2)) for _ in range(2 if axial else 1)]
-    ends = (
-        (rings.inner, c.inner_grooves, -1.0, slice(split)),
-        (rings.outer, c.outer_grooves, 1.0, slice(split, None)),
-    )
-    for ring, grooves, outward, part in ends:
+    grooves_of = c.inner_grooves, c.outer_grooves
+    for ring, grooves, part in zip(problem.compliances, grooves_of, c.races, strict=True):
         if ring is None:
             continue
         groove = grooves[0] if problem.placed else both_grooves(c)
         vector = way[:, :, part].copy()
         if groove.walls:  # straight beyond 90°
-            vector[..., 1] = outward * np.maximum(outward * vector[..., 1], 0.0)
+            vector[..., 1] = ring.outward * np.maximum(ring.outward * vector[..., 1], 0.0)
         length = np.sqrt((vector * vector).sum(axis=-1))
         k: Any = np.asarray(groove.stiffness)
         distance = np.asarray(groove.centre_distance)
@@ -231,9 +227,9 @@ def _pressed(
         acting, others = (
             (ring.for_equal_loads(0), [ring.for_equal_loads(1)]) if axial else (ring, [])
         )
-        shifts = acting.shifts(vector, load, stiffness, others)
-        shift[:, :, part] = shifts.shift * blend[:, None, None, None]
-        for total, slope in zip(slopes, shifts.slopes, strict=True):
+        of_ring, slopes_of_ring = acting.shifts(vector, load, stiffness, others)
+        shift[:, :, part] = of_ring * blend[:, None, None, None]
+        for total, slope in zip(slopes, slopes_of_ring, strict=True):
             total[:, :, part, :, :, part] = slope * blend[:, None, None, None, None, None, None]
     flat = (states, n, 2 * contacts, n, 2 * contacts)
     return shift.reshape(states, n, 2 * contacts), (*(slope.reshape(flat) for slope in slopes),)

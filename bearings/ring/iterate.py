@@ -23,7 +23,7 @@ from bearings.ring.assembly import Assembly
 from bearings.ring.equilibrium import one_by_one
 from bearings.ring.linearised import Linear, linearise
 from bearings.ring.operation import Operation
-from bearings.ring.problem import Problem, turns
+from bearings.ring.problem import Problem
 from bearings.ring.state import BearingState
 from bearings.ring.tolerances import LONGEST_TURN
 
@@ -129,9 +129,7 @@ def iterate(state: BearingState, assembly: Callable[[Geometry], Assembly]) -> It
 def parts_of(operation: Operation, assembly: Callable[[Geometry], Assembly]) -> Parts:
     """Split the states, at given displacements, into those that turn and those at rest."""
     problem = replace(Problem.of(operation, assembly), free=np.zeros(5, dtype=bool))
-    turn = turns(problem.geometry, operation.speed)
-    groups = ((np.flatnonzero(turn == turning), turning) for turning in (True, False))
-    return tuple((k, replace(problem.take(k), turning=turning)) for k, turning in groups if k.size)
+    return tuple(problem.parts(np.ones(len(operation.speed), dtype=bool)))
 
 
 def _pressure(problem: Problem, linear: Linear) -> Array:
@@ -185,9 +183,9 @@ class Settled:
         d, x = self.displacement.reshape(count, 5), self.ball.reshape(len(self.ball), count, -1)
         load, stiffness = self.load.reshape(count, 5), self.stiffness.reshape(count, 5, 5)
         for k, problem in parts:
-            solved = one_by_one(problem, d[k], x[:, k] if near else None)[0]
+            solved = one_by_one(problem, d[k], x[:, k] if near else None)
             x[:, k], load[k], stiffness[k] = solved.ball, solved.load, solved.stiffness
-            self.error.reshape(count)[k] = np.where(solved.exists, 0.0, np.nan)
+            self.error.reshape(count)[k] = np.where(solved.outcome == "", 0.0, np.nan)
 
     def follows(self, before: Settled) -> Flags:
         """Whether there is a state (…); each is independent of the one ``before``."""

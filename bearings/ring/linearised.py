@@ -6,6 +6,7 @@ larger iterations that move the rings (``iterate``) take their steps from here.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -20,7 +21,7 @@ from bearings.ring import tolerances as tol
 from bearings.ring.assembly import Assembly, full_assembly
 from bearings.ring.groove_shifts import ShiftStep, linearised_shifts
 from bearings.ring.operation import Operation
-from bearings.ring.problem import Problem, turns
+from bearings.ring.problem import Problem
 
 
 @dataclass(frozen=True, eq=False)
@@ -171,12 +172,12 @@ def _solve(k: Array, gap: Array, *, loose: bool) -> Array:
     return step
 
 
-def frozen_tangent(operation: Operation, d: Array, x: Array, exists: Flags) -> tuple[Array, Index]:
-    """Tangents (k, 5, 5) with Fc and Mg constant, and the indices (k,) of these states.
-
-    Of the states d (s, 5) and X (2, s, n) they are those that exist, ``exists`` (s,), and turn.
-    """
-    index = np.flatnonzero(exists & turns(operation.geometry, operation.speed))
-    part = Problem.of(operation, full_assembly).take(index)
-    linear = linearise(part, d[index], x[:, index], np.ones(index.size), vary=0.0)
-    return linear.stiffness, index
+def frozen_tangents(
+    operation: Operation, d: Array, x: Array, exists: Flags
+) -> Iterator[tuple[Index, Array]]:
+    """Yield indices (k,) and tangents (k, 5, 5) with Fc and Mg constant, of those of the states
+    d (s, 5) and X (2, s, n) that exist, ``exists`` (s,), and turn."""
+    for index, part in Problem.of(operation, full_assembly).parts(exists):
+        if part.turning:
+            linear = linearise(part, d[index], x[:, index], np.ones(index.size), vary=0.0)
+            yield index, linear.stiffness

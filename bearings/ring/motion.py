@@ -8,7 +8,6 @@ import numpy as np
 
 from bearings.arrays import Array
 from bearings.ball.kinematics import orbit_and_spin
-from bearings.ring.request import sides
 
 if TYPE_CHECKING:
     from bearings.ring.state import BearingState
@@ -60,18 +59,17 @@ def contact_motion(state: BearingState) -> ContactMotion:
     race by ω − ωm and the outer one by −ωm about the axis, both with their sign reversed.
     """
     g = state.operation.geometry
-    motion, split = ball_motion(state), len(g.inner_grooves)
+    motion = ball_motion(state)
     orbit, rotation = motion.orbit[..., None], motion.rotation[..., None]
     beta = motion.attitude[..., None]
-    alpha = np.asarray(state.contact_angle) * sides(g)  # as β: positive towards +x
-    inner = np.arange(alpha.shape[-1]) < split
-    race = np.where(inner, 1.0 - orbit, -orbit)  # about the axis, against the ball's rotation
-    side = np.where(inner, -1.0, 1.0)
+    alpha = np.asarray(state.contact_angle) * g.sides  # as β: positive towards +x
+    race = g.by_contact(1.0 - orbit, -orbit)  # about the axis, against the ball's rotation
+    side = g.by_contact(-1.0, 1.0)
     sin, cos = np.sin(alpha), np.cos(alpha)
     half = 0.5 * g.ball_diameter
     ball_speed = rotation * np.cos(alpha - beta) * half
     race_speed = np.abs(race) * (0.5 * g.pitch_diameter + side * half * cos)
-    single = np.where(inner, split == 1, len(g.outer_grooves) == 1)
+    single = g.by_contact(len(g.inner_grooves) == 1, len(g.outer_grooves) == 1)
     return ContactMotion(
         roll=rotation * np.cos(alpha - beta) + race * cos,
         spin=rotation * np.sin(alpha - beta) + race * sin,

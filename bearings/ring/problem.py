@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -14,11 +13,15 @@ from bearings.ball.law import Law
 from bearings.ball.laws import Laws
 from bearings.ball.plane import Pair
 from bearings.ball.race import faced
+from bearings.flexible_rings.compliance import Compliance
+from bearings.flexible_rings.describe import FlexibleRings
 from bearings.geometry import Geometry, groove_origin
+from bearings.grooves import Grooves
 from bearings.ring.assembly import Assembly, full_assembly
-from bearings.ring.compliances import Compliances, compliances
 from bearings.ring.operation import Operation
 from bearings.ring.tolerances import SLOW
+
+Compliances = tuple[Compliance | None, Compliance | None]  # of inner and outer ring; None: rigid
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,23 +113,14 @@ class Problem:
         """ω² (s,), 0 for states at rest."""
         return self.speed**2 if self.turning else 0.0 * self.speed
 
-    @cached_property
-    def plain(self) -> tuple[tuple[Any, ...], tuple[Array, ...]]:
-        """Arguments of compiled code: those common to all states, ``One`` from ``geometry`` on;
-        (A₀ (s, 2), ω² (s,), load (s, 5), scale (5,)), arrays of one type for one compilation."""
-        common = (
-            self.geometry,
-            self.law.numbers,
-            self.assembly.azimuth,
-            self.assembly.products,
-            self.free.nonzero()[0],
-            self.turning,
-            self.law.one_branch,
-            self.placed,
-            self.full,
-        )
-        inputs = (self.origin.T, self.squared, self.load, self.scale)
-        return common, tuple(np.array(part, order="C") for part in inputs)
+    def parts(self, chosen: Flags) -> Iterator[tuple[Index, Problem]]:
+        """Yield those of the ``chosen`` states (s,) that turn, and those at rest: indices, and
+        the problem of these alone."""
+        turn = turns(self.geometry, self.speed)
+        for turning in (True, False):
+            index = np.flatnonzero(chosen & (turn == turning))
+            if index.size:
+                yield index, replace(self.take(index), turning=turning)
 
     def take(self, index: Index) -> Problem:
         """Select states by index."""
@@ -148,6 +142,21 @@ class Problem:
     def load_size(self) -> Array:
         """Largest component of every load, as a force (s,) [N]."""
         return np.asarray(np.abs(self.load / self.scale).max(axis=-1))
+
+
+def compliances(grooves: Grooves) -> Compliances | None:
+    """Compute the compliances of the rings of a bearing; None where both are rigid."""
+    rings = grooves.rings
+    if rings is None:
+        return None
+    from bearings.flexible_rings.computed import compliance  # finite elements, for these alone
+
+    assert isinstance(rings, FlexibleRings)
+    grooves = replace(grooves, rings=None)  # that of a ring does not depend on the other ring
+    return (
+        None if rings.inner is None else compliance(grooves, rings.inner, inner=True),
+        None if rings.outer is None else compliance(grooves, rings.outer, inner=False),
+    )
 
 
 def turns(g: Geometry, speed: Array) -> Flags:

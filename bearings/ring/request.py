@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.arrays import Array, Index, Words
+from bearings.arrays import Array, Flags, Index, Words
 from bearings.ball.laws import Laws
 from bearings.ball.potential import resting_seat
 from bearings.errors import InvalidBearing
@@ -17,7 +17,7 @@ from bearings.geometry import Geometry
 from bearings.ring.assembly import axial_assembly, full_assembly
 from bearings.ring.equilibrium import Solution, solve
 from bearings.ring.operation import Operation
-from bearings.ring.problem import Problem, first_displacement, turns
+from bearings.ring.problem import Problem, first_displacement
 from bearings.ring.state import BearingState
 from bearings.ring.tolerances import CRUSHED, TOGETHER
 
@@ -48,13 +48,9 @@ def solved(
         outcome[operation.unloaded & (outcome == "")] = "unloaded"
     states = _blank(full_problem, operation, outcome)
     fast = _compiled(g, operation) if compiled is None else compiled
-    for index, axial, turning in _groups(g, operation, outcome):
-        problem = replace(full_problem.take(index), turning=turning)
-        if axial:  # all other components stay at zero by symmetry
-            free = operation.free & np.array([True, False, False, False, False])
-            problem = replace(problem, assembly=axial_assembly(g), free=free)
+    for index, problem in _groups(full_problem, operation, outcome == ""):
         first, guess = first_displacement(problem, operation.displacement[index]), None
-        if start is not None and turning and np.any(operation.law.one_branch):
+        if start is not None and problem.turning and np.any(operation.law.one_branch):
             first, guess = _neighbour(problem, operation, start, index, first)
         _store(states, index, problem, solve(problem, first, guess, compiled=fast))
     shape = operation.shape
@@ -77,17 +73,17 @@ def _compiled(g: Geometry, operation: Operation) -> bool:
 
 
 def _groups(
-    g: Geometry, operation: Operation, outcome: Words
-) -> Iterator[tuple[Index, bool, bool]]:
-    """Yield groups of states with the same unknowns: (index, axial?, turning?)."""
-    is_axial, is_turning = operation.axial, turns(g, operation.speed)
-    for axial in (True, False):
-        for turning in (True, False):
-            chosen = (is_axial == axial) & (is_turning == turning) & (outcome == "")
-            index, share = np.flatnonzero(chosen), TOGETHER // (1 if axial else g.balls) + 1
-            if index.size:
-                for part in np.array_split(index, -(-index.size // share)):
-                    yield part, axial, turning
+    problem: Problem, operation: Operation, chosen: Flags
+) -> Iterator[tuple[Index, Problem]]:
+    """Yield groups of the ``chosen`` states with the same unknowns, by index and as problems."""
+    is_axial, free = operation.axial, operation.free & np.array([True, *[False] * 4])
+    axial_part = replace(problem, assembly=axial_assembly(problem.geometry), free=free)
+    # in an axial state all other components stay at zero by symmetry
+    for part, group in ((axial_part, is_axial), (problem, ~is_axial)):
+        share = TOGETHER // part.assembly.balls + 1
+        for index, alike in part.parts(chosen & group):
+            for k in np.array_split(np.arange(index.size), -(-index.size // share)):
+                yield index[k], alike.take(k)
 
 
 def _neighbour(
@@ -153,20 +149,19 @@ def _store(states: Arrays, index: Index, problem: Problem, solution: Solution) -
     outcome = np.where(crushed, "overloaded", solution.outcome)
     states["outcome"][index] = outcome
     solved = np.flatnonzero(outcome == "")
-    source, target = _places(solved), _places(index[solved])
     for name, value in values.items():
-        states[name][target] = value[source]
+        states[name][index[solved]] = value[solved]
 
 
 def _of_balls(problem: Problem, solution: Solution) -> Arrays:
     """Fields of the states by ball and by contact."""
     g, b, (load, sin, cos) = problem.geometry, solution.balance, solution.contacts
     qi, qo, mg = b.inner_load, b.outer_load, b.gyroscopic_moment
-    inner = len(g.inner_grooves)
-    races = [g.inner] * inner + [g.outer] * len(g.outer_grooves)
-    pressure = np.stack([race.peak_pressure(q) for race, q in zip(races, load, strict=True)])
-    side = np.array(sides(g))[:, None, None]
-    angle = np.arctan2(side * sin, cos)
+    inner, outer = g.races
+    pressure = np.concatenate(
+        [g.inner.peak_pressure(load[inner]), g.outer.peak_pressure(load[outer])]
+    )
+    angle = np.arctan2(g.sides[:, None, None] * sin, cos)
     inner_angle = angle[0] if g.single else np.arctan2(*b.inner_direction)
     idle = "lost contact" if problem.turning else "unloaded"
     word = np.where((inner_angle < 0.0) & (not g.both_ways), "open side", "loaded")
@@ -176,27 +171,14 @@ def _of_balls(problem: Problem, solution: Solution) -> Arrays:
         "outer_load": qo,
         "inner_angle": inner_angle,
         "outer_angle": angle[1] if g.single else np.arctan2(*b.outer_direction),
-        "inner_pressure": pressure[:inner].max(axis=0),
-        "outer_pressure": pressure[inner:].max(axis=0),
+        "inner_pressure": pressure[inner].max(axis=0),
+        "outer_pressure": pressure[outer].max(axis=0),
         "centrifugal_force": np.broadcast_to(b.centrifugal_force, qi.shape),
         "gyroscopic_moment": mg,
         "inner_grip": _grip(b.inner_share * mg, qi, g.ball_diameter),
         "outer_grip": _grip((2.0 - b.inner_share) * mg, qo, g.ball_diameter),
         "status": np.where(qi > 0.0, word, idle),
     } | {name: np.moveaxis(v, 0, -1) for name, v in zip(BY_CONTACT, by_contact, strict=True)}
-
-
-def _places(index: Index) -> Index | slice:
-    """Convert consecutive indices to a slice, which avoids copies: a tenth of a single solve."""
-    if index.size and index[-1] - index[0] + 1 == index.size:
-        return slice(index[0], index[-1] + 1)
-    return index
-
-
-def sides(g: Geometry) -> list[float]:
-    """Sign of the axial direction in which the angle of each contact is positive."""
-    inner = [1.0 if x.offset >= 0.0 else -1.0 for x in g.inner_grooves]
-    return inner + [1.0 if x.offset <= 0.0 else -1.0 for x in g.outer_grooves]
 
 
 def _grip(moment: Array, load: Array, diameter: float) -> Array:

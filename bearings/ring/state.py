@@ -100,15 +100,15 @@ class BearingState:
         exists = self.outcome.reshape(-1) == ""
         if not exists.any() or self.operation.law.dynamics == "frozen":
             return self.complete_stiffness
-        from bearings.ring.linearised import frozen_tangent  # the balance of balls, rarely needed
+        from bearings.ring.linearised import frozen_tangents  # the balance of balls, rarely needed
 
         displacements, balls = (
             self.displacement.reshape(-1, 5),
             self.ball_centre.reshape(len(self.ball_centre), exists.size, -1),
         )
         stiffness = self.complete_stiffness.reshape(-1, 5, 5).copy()
-        tangent, turning = frozen_tangent(self.operation, displacements, balls, exists)
-        stiffness[turning] = tangent
+        for index, tangent in frozen_tangents(self.operation, displacements, balls, exists):
+            stiffness[index] = tangent
         return alike(self.load, self.displacement, stiffness.reshape(*self.outcome.shape, 5, 5))
 
     @property

@@ -13,8 +13,7 @@ import numpy as np
 
 from bearings.arguments import checked
 from bearings.arrays import Array, Flags
-from bearings.contact.hertz import HertzContact
-from bearings.geometry import geometry
+from bearings.geometry import Geometry, geometry
 from bearings.ring.state import BearingState
 
 
@@ -80,12 +79,10 @@ def truncation(state: BearingState) -> Truncation:
     """
     grooves = state.operation.grooves
     g, load = geometry(grooves), np.nan_to_num(state.contact_load)
-    split = len(g.inner_grooves)
-    inner, outer = half_axes(g.inner, load[..., :split]), half_axes(g.outer, load[..., split:])
-    major, minor = (np.concatenate(pair, axis=-1) for pair in zip(inner, outer, strict=True))
+    major, minor = half_axes(g, load)
     radii, shoulder, middle = (
-        np.array([by_ring[0]] * split + [by_ring[1]] * len(g.outer_grooves))
-        for by_ring in (grooves.radii, grooves.shoulder_angles, grooves.middle_angles)
+        g.by_contact(*of_rings)
+        for of_rings in (grooves.radii, grooves.shoulder_angles, grooves.middle_angles)
     )
     symmetric = np.isnan(middle) & g.both_ways
     angle = np.where(symmetric, np.abs(state.contact_angle), state.contact_angle)
@@ -104,10 +101,13 @@ def truncation(state: BearingState) -> Truncation:
     )
 
 
-def half_axes(race: HertzContact, load: Array) -> tuple[Array, Array]:
-    """Half-axes a along the groove and b along the rolling direction under ``load`` Q ≥ 0 [m]."""
+def half_axes(g: Geometry, load: Array) -> tuple[Array, Array]:
+    """Half-axes a and b under the ``load`` Q ≥ 0 of all contacts (…, contacts) [m]."""
     size = np.cbrt(load)
-    return race.semi_axis_major * size, race.semi_axis_minor * size
+    return (
+        g.by_contact(g.inner.semi_axis_major, g.outer.semi_axis_major) * size,
+        g.by_contact(g.inner.semi_axis_minor, g.outer.semi_axis_minor) * size,
+    )
 
 
 def share_outside(lower: Array, upper: Array, least: Array, most: Array) -> Array:

@@ -14,7 +14,6 @@ DRAW = np.random.default_rng(2)
 def test_rows(length: int) -> None:
     a, b = (tuple(row) for row in DRAW.normal(size=(2, length)))
     assert plane.plus(a, b) == pytest.approx(np.add(a, b), rel=1e-14)
-    assert plane.minus(a, b) == pytest.approx(np.subtract(a, b), rel=1e-14)
     expected = 2.0 * np.array(a) - 3.0 * np.array(b)
     assert plane.combined(2.0, a, -3.0, b) == pytest.approx(expected, rel=1e-13)
 

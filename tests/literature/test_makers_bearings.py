@@ -10,8 +10,8 @@ import pytest
 
 import rotordyn
 from bearings import STEEL, estimate
-from bearings.catalogue.races import Insides, static_rating
-from bearings.life.rating import radial_rating
+from bearings.catalogue.races import static_rating
+from bearings.life.rating import Insides, rating
 from rotordyn.case.library import known, models_root
 
 SOURCES = {
@@ -61,7 +61,7 @@ def test_ratings_are_as_printed(name: str) -> None:
         bearing.contact_angle,
     )
     dynamic, static = (float(number.replace(" ", "")) for number in found.groups())
-    assert float(radial_rating(x)) == pytest.approx(dynamic, rel=0.08)
+    assert float(rating(x)) == pytest.approx(dynamic, rel=0.08)
     assert float(static_rating(x, STEEL, STEEL)) == pytest.approx(static, rel=0.04)
 
 

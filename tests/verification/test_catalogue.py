@@ -23,9 +23,9 @@ from bearings import (
     life,
 )
 from bearings.catalogue.estimate import _range
-from bearings.catalogue.races import Insides, contact_stiffness, static_rating
+from bearings.catalogue.races import contact_stiffness, static_rating
 from bearings.geometry import geometry
-from bearings.life.rating import radial_rating, rating
+from bearings.life.rating import Insides, rating
 
 ROOT = Path(__file__).resolve().parents[2]
 RINGS: dict[str, Any] = dict(bore=0.07, outside_diameter=0.11, width=0.02)
@@ -124,7 +124,7 @@ def test_grooves_follow_where_balls_are_printed(bearing: Any) -> None:
         balls=bearing.balls,
         preloads=[100.0, 600.0],
         rigidities=[solved(bearing, p)[0] for p in (100.0, 600.0)],
-        dynamic_rating=float(radial_rating(x)[0]),
+        dynamic_rating=float(rating(x)[0]),
         static_rating=float(static_rating(x, bearing.ball_material, STEEL)[0]),
     )
     assert found.balls == bearing.balls
@@ -136,7 +136,7 @@ def test_grooves_follow_where_balls_are_printed(bearing: Any) -> None:
 @pytest.mark.parametrize("bearing", KNOWN)
 def test_ratings_are_those_of_one_bearing(bearing: Any) -> None:
     x = insides(bearing)
-    assert radial_rating(x)[0] == pytest.approx(life.dynamic_rating(bearing), rel=1e-12)
+    assert rating(x)[0] == pytest.approx(life.dynamic_rating(bearing), rel=1e-12)
     found = static_rating(x, bearing.ball_material, STEEL)[0]
     assert found == pytest.approx(life.static_rating(bearing), rel=1e-5)
 
@@ -178,14 +178,14 @@ def test_steep_bearings_given_their_own_ratings_come_back(
 def test_ratings_of_published_rows() -> None:
     """GMN S 6014 C and KH 6014 E; ISO's table of fc holds for fi = fo = 0.52."""
     s = known(21, 11.906e-3, 15.0, False, 0.52, 0.52)
-    assert radial_rating(insides(s))[0] == pytest.approx(48500.0, rel=0.006)
+    assert rating(insides(s))[0] == pytest.approx(48500.0, rel=0.006)
     s = known(21, 11.906e-3, 15.0, False, 0.52, 0.53)
     assert static_rating(insides(s), STEEL, STEEL)[0] == pytest.approx(46000.0, rel=0.03)
     hybrid = static_rating(insides(s), SILICON_NITRIDE, STEEL) / static_rating(
         insides(s), STEEL, STEEL
     )
     assert hybrid[0] == pytest.approx(0.70, rel=0.01)
-    assert radial_rating(insides(KNOWN[0]))[0] == pytest.approx(22700.0, rel=0.006)
+    assert rating(insides(KNOWN[0]))[0] == pytest.approx(22700.0, rel=0.006)
     assert static_rating(insides(KNOWN[0]), STEEL, STEEL)[0] == pytest.approx(16400.0, rel=0.03)
 
 

@@ -5,12 +5,11 @@ Compiled at its first call, kept on disk for the next process (``bearings.ring.c
 
 from __future__ import annotations
 
-from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from bearings.arrays import Array, Flags
+from bearings.arrays import Array, Flags, Words
 from bearings.geometry import Geometry
 from bearings.ring.compiled.follow import find
 from bearings.ring.compiled.jit import available, compiled, is_kept
@@ -27,13 +26,13 @@ _loaded: set[tuple[int, int, int]] = set()
 
 
 class CompiledStates(NamedTuple):
-    """Solved states: d (s, 5), X (2, s, n), load (s, 5), K (s, 5, 5), and which exist (s,)."""
+    """Solved states: d (s, 5), X (2, s, n), load (s, 5), K (s, 5, 5), outcome (s,)."""
 
     displacement: Array
     ball: Array
     load: Array
     stiffness: Array
-    exists: Flags
+    outcome: Words
 
 
 def pays(balls: int, g: Geometry) -> bool:
@@ -62,11 +61,6 @@ def _type(g: Geometry) -> tuple[int, int, int]:
     return len(g.inner_grooves), len(g.outer_grooves), len(g.inner_grooves[0].walls)
 
 
-@lru_cache(maxsize=1)
-def _entry() -> Any:
-    return compiled(find_all)
-
-
 def compiled_states(
     problem: Problem, displacement: Array, guess: Array | None, *, chained: bool = False
 ) -> CompiledStates:
@@ -82,11 +76,25 @@ def compiled_states(
     arrays = (d, x, np.zeros((states, 5)), np.zeros((states, 5, 5)), np.zeros(states, dtype=bool))
     if available():
         _loaded.add(_type(g))
-    shared, inputs = problem.plain
+    shared = (
+        g,
+        problem.law.numbers,
+        problem.assembly.azimuth,
+        problem.assembly.products,
+        problem.free.nonzero()[0],
+        problem.turning,
+        problem.law.one_branch,
+        problem.placed,
+        problem.full,
+    )
+    given = problem.origin.T, problem.squared, problem.load, problem.scale
+    inputs = (*(np.array(part, order="C") for part in given),)  # one type for one compilation
     near = np.arange(states) < (0 if guess is None else guess.shape[1])
+    solve = compiled(find_all)
     for first in range(0, states, AT_ONCE):  # Ctrl-C waits for one call
-        _entry()(shared, inputs, arrays, near, chained, first, min(first + AT_ONCE, states))
-    return CompiledStates(d, x.transpose(2, 0, 1), *arrays[2:])
+        solve(shared, inputs, arrays, near, chained, first, min(first + AT_ONCE, states))
+    outcome = np.where(arrays[-1], "", "no equilibrium")
+    return CompiledStates(d, x.transpose(2, 0, 1), *arrays[2:4], outcome)
 
 
 def find_all(
