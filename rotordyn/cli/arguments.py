@@ -14,7 +14,7 @@ EXIT_CODES = """exit codes: 0 done; 2 bad input, or more than a run may take; 3 
 has a physical solution (with --strict: one has not); 130 interrupted; 1 a bug of rotordyn"""
 NO_FIGURES = "write numbers and tables alone"
 QUIET = "print nothing but errors"
-REPORT = "also write report.html, a page to hand on"
+REPORT = "also write report.html, a page to share"
 
 
 def parser() -> argparse.ArgumentParser:

@@ -96,7 +96,7 @@ def isotropic(draw: Any) -> tuple[Spindle, float]:
 @settings(max_examples=40)
 @given(isotropic())
 def test_random_rotors(drawn: tuple[Spindle, float]) -> None:
-    """Poles and receptances of the equation in turning axes, with all its terms, unreduced."""
+    """Poles and receptances of the equation in rotating axes, with all its terms, unreduced."""
     spindle, spin = drawn
     highest = 1500.0
     (found,) = both(spindle, np.array([spin]), 2.0 * highest, element_length=0.05)[1:]
@@ -183,7 +183,7 @@ def test_critical_speeds_and_names_do_not_depend_on_the_frame() -> None:
     ours, seen = (campbell.solve(s, CampbellSpec(1500.0)) for s in both(rotor, speed, 1500.0))
     more = [k for k, name in enumerate(seen.mode) if name not in ours.mode]
     assert [name for name in seen.mode if name in ours.mode] == list(ours.mode)
-    assert (seen.frequency[:, more].min(axis=0) < 1500.0).all()  # in turning axes alone
+    assert (seen.frequency[:, more].min(axis=0) < 1500.0).all()  # in rotating axes alone
     assert seen.critical == ours.critical != ()
     assert seen.critical_speed == pytest.approx(ours.critical_speed, rel=1e-4)
     for k in np.flatnonzero(seen.critical_excited):
@@ -213,7 +213,7 @@ def test_user_is_told(formulation: str) -> None:
 @pytest.mark.few(1)
 @pytest.mark.parametrize("formulation", ["inertial", TURNED])
 def test_whole_run(formulation: str, tmp_path: Any) -> None:
-    """Files, figures and summary; labels name the turning frame where it is chosen."""
+    """Files, figures and summary; labels name the rotating frame where it is chosen."""
     asked = {
         "campbell": CampbellSpec(2000.0, (2, 3)),
         "frf": FrfSpec((100.0, 200.0, 300.0), pairs("Oc2.y/Oc2.y")),
@@ -223,8 +223,8 @@ def test_whole_run(formulation: str, tmp_path: Any) -> None:
     delivery = rotordyn.job.deliver(whole, tmp_path / "out", figures=formulation == TURNED)
     turning = formulation == TURNED
     header = (tmp_path / "out" / "campbell.csv").read_text().splitlines()[0]
-    assert ("damped frequency in the turning frame" in header) == turning
-    assert ("modes [Hz] in the turning frame" in delivery.summary) == turning
+    assert ("damped frequency in the rotating frame" in header) == turning
+    assert ("modes [Hz] in the rotating frame" in delivery.summary) == turning
     chosen = formulation != "inertial"
     assert (f"\nnote       formulation {formulation}: " in delivery.summary) == chosen
     record = json.loads((tmp_path / "out" / "run.json").read_text(encoding="utf-8"))

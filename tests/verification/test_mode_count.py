@@ -95,7 +95,7 @@ def test_a_free_bar_by_closed_form(highest: float) -> None:
 
 def test_the_count_does_not_depend_on_the_frame() -> None:
     """The flagship: unsymmetric tangents, modal damping; softened modes are as many, and in the
-    turning frame there are those besides that it sees in the band."""
+    rotating frame there are those besides that it sees in the band."""
     speed = (np.array([0.0, 12000.0, 24000.0]) * RPM).tolist()
     inertial, turning, softened = (
         answered(mfw2310(), speed, 4000.0, formulation=name)

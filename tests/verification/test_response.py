@@ -139,7 +139,7 @@ def test_reported_errors_are_those_of_a_coarser_model(kind: str) -> None:
     spindle, more = MACHINES[kind]
     rough, fine = (response(spindle, 15000.0, accuracy=a, **more) for a in (1e-4, 1e-8))
     true = np.abs(values(rough) - values(fine)).max(axis=1) / np.abs(values(fine)).max(axis=1)
-    # in turning axes modes up to Ω beyond the band of the model are seen within it
+    # in rotating axes modes up to Ω beyond the band of the model are seen within it
     apart = np.abs(np.log(rough.error / true))[true > SEEN]
     assert apart.max(initial=0.0) < math.log(6.0 if kind == "turning" else 3.0)
     assert (rough.error[true <= SEEN] < 10.0 * SEEN).all()

@@ -262,7 +262,7 @@ def test_receptances_at_the_frequency_of_rotation(spindle: Spindle) -> None:
 
 
 def test_formulations_agree(spindle: Spindle) -> None:
-    """Turning frame, both planes apart, and axial motion in the same system: one response."""
+    """Rotating frame, both planes apart, and axial motion in the same system: one response."""
     points = ("Oc2", "O3")
     plain = solved(spindle, SPEEDS, *SPREAD, points=points)
     turning = solved(

@@ -178,7 +178,7 @@ def test_the_frame_is_on_the_axes_and_known_frequencies_stay_in_theirs() -> None
         figure = jobs[name]()
         labels = [axes.yaxis.label for axes in figure.axes if "damped" in axes.get_ylabel()]
         assert [label.get_text() for label in labels] == [
-            "damped frequency [Hz]", "damped frequency in the turning frame [Hz]",
+            "damped frequency [Hz]", "damped frequency in the rotating frame [Hz]",
         ]  # fmt: skip
         figure.canvas.draw()
         for label in labels:

@@ -67,7 +67,7 @@ def test_error_is_over_the_largest_value_of_the_quantity() -> None:
 
 
 def test_turning_frame_has_receptances_only() -> None:
-    with pytest.raises(InvalidInput, match="mobility in a frame that turns"):
+    with pytest.raises(InvalidInput, match="mobility in a frame that rotates"):
         solved("mobility", Conditions(formulation="rotating"))
 
 
