@@ -55,10 +55,10 @@ GENERATED = OUTPUTS | {
     "docs/howto/measured_spindle.md": {"coupled", "damping"},
     "docs/theory/README.md": {"modules"},
     "docs/mfw2310.md": {
-        *("axial", "bearings", "comparison", "left-out", "phases", "rest", "speed"),
+        *("axial", "bearings", "comparison", "omitted", "phases", "rest", "speed"),
         *("identified", "predicted"),
     },
-    "docs/theory/identification.md": {"found-again"},
+    "docs/theory/identification.md": {"synthetic"},
     "docs/theory/rotor_from_responses.md": {"identified-rotors"},
     "docs/benchmarks.md": {
         *(
@@ -67,7 +67,7 @@ GENERATED = OUTPUTS | {
             "processes",
             "stages",
             "bearing",
-            *(f"bearing-{n}" for n in ("first", "methods", "tolerance", "strides", "hertz")),
+            *(f"bearing-{n}" for n in ("first", "methods", "tolerance", "path-steps", "hertz")),
             "frf",
             "page",
             "study",
