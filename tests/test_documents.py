@@ -1,4 +1,4 @@
-"""The documents say what is so: their code runs, their numbers are ours, their links lead on."""
+"""The documents are correct: their code runs, their numbers are computed, their links exist."""
 
 from __future__ import annotations
 
@@ -108,7 +108,7 @@ def numbers(cell: str) -> list[float]:
     return [float(n) for n in re.findall(r"-?\d+\.?\d*", cell.replace("−", "-"))]
 
 
-def test_reference_names_the_options_that_there_are() -> None:
+def test_reference_names_the_existing_options() -> None:
     page = text(DOCS / "reference" / "command.md")
     (usage,) = re.findall(r"^    (rotordyn run CASE .*)$", page, re.M)
     command = [sys.executable, "-m", "rotordyn", "run", "--help"]
@@ -119,7 +119,7 @@ def test_reference_names_the_options_that_there_are() -> None:
     assert set(re.findall(r"^\| `(-[\w-]+)", page, re.M)) == options
 
 
-def test_reference_names_the_commands_that_there_are() -> None:
+def test_reference_names_the_existing_commands() -> None:
     page = text(DOCS / "reference" / "command.md")
     command = [sys.executable, "-m", "rotordyn", "--help"]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
@@ -154,7 +154,7 @@ def test_reference_of_keys_is_that_of_the_schema() -> None:
 
 
 def test_reference_of_keys_leaves_no_mapping_of_a_file_out() -> None:
-    """Every mapping that the JSON Schema of a file knows has its table."""
+    """Every mapping in the JSON Schema of a file has its table."""
     listed = {kind.__name__ for kinds in pages().values() for kind in kinds}
     for file in FILES:
         assert set(json_schema(file)["$defs"]) <= listed

@@ -38,7 +38,7 @@ FITS = {
     "Hamrock and Brewe 1983": (PURPLE, "^", "fit of 1983"),
 }
 EXACT = "exact, `bearings.contact.hertz`"
-STANDARD = "default settings"
+STANDARD = "default"
 NEWTON, PATH = "tolerance of Newton's method", "step length along the path"
 CONTACT = "contact stiffness"
 MARGINS = {

@@ -59,7 +59,7 @@ def test_a_ring_that_touches_no_ball_is_unloaded() -> None:
 @pytest.mark.few(1)
 @pytest.mark.parametrize("kinematics", ["inner", "geometric"])
 def test_balls_that_are_thrown_off(kinematics: str) -> None:
-    """Up to the speed told there is a state; the balls named then need any friction to stay."""
+    """Up to the reported speed there is a state; the balls named then need any friction to stay."""
     ask = dict(load=[60.0, 20.0, 0, 0, 0], kinematics=kinematics, moment_sharing="inner")
     with pytest.raises(NoEquilibrium, match="are thrown off a race") as caught:
         VEX70.equilibrium(speed=FAST, **ask)
@@ -76,7 +76,7 @@ def test_balls_that_are_thrown_off(kinematics: str) -> None:
 
 @pytest.mark.long
 def test_stiffness_that_vanishes() -> None:
-    """Towards the speed told the softest direction fades; beyond it there is no state."""
+    """Towards the reported speed the softest direction fades; beyond it there is no state."""
     ask = dict(FOLDING)
     bearing = ask.pop("bearing")
     with pytest.raises(NoEquilibrium, match="stiffness vanishes above") as caught:

@@ -127,7 +127,7 @@ def test_nothing_is_written_where_nothing_is_finished(
 def test_complete_results_are_not_replaced_by_fewer(
     tmp_path: Path, monkeypatch: Patch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """They stay as they are; what was finished stands beside them, and gives way to all of it."""
+    """They stay as they are; what was finished is next to them, and gives way to all of it."""
     assert ended(FRF, tmp_path, "--no-figures") == 0
     with monkeypatch.context() as patch:
         patch.setattr("rotordyn.analyses.frf.solve.solve", interrupted)

@@ -1,4 +1,4 @@
-"""Balls that move with their rings: symmetry, order of what is left out, the state reached."""
+"""Balls that move with their rings: symmetry, order of the neglected terms, the state reached."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Rotors on one axis by their exact shafts: against each by itself, against dense matrices, and a
+"""Rotors on one axis by their exact shafts: against each alone, against dense matrices, and a
 joint against a short soft piece of shaft."""
 
 from __future__ import annotations

@@ -58,7 +58,7 @@ class Pushed(UnevenMilling):
 @pytest.mark.parametrize("way", ENDS)
 @pytest.mark.parametrize("edges", [(0.0, 2e4), (2.5e4, 0.0), (1.5e4, 2e4)])
 def test_limits_are_those_of_steps_in_time(way, edges, monkeypatch):
-    """Evenly spaced teeth, forces at the very end: spread over less and less they come to these."""
+    """Evenly spaced teeth, forces at the very end: distributed over less and less they tend to these."""
     entry, exit = ENDS[way]
     monkeypatch.setattr(cutting, "SPREAD", 0.01)
     plain = Cut(3, 4.1e8, 1e8, entry, exit)

@@ -276,7 +276,7 @@ def test_modes_seen_in_the_band_from_turning_axes(seed: int) -> None:
 
 
 def between_shown_frequencies() -> list[Scene]:
-    """A rotor whose second forward mode swings at 457 Hz in space, at 357 Hz in the frame that
+    """A rotor whose second forward mode oscillates at 457 Hz in space, at 357 Hz in the frame that
     turns at 6000 rpm."""
     disc = PointMass("d", 0.3, 15.0, 0.12, 0.065)
     held = [support(name, x, (5e6, 5e6), 500.0) for name, x in (("a", 0.0), ("b", 0.8))]

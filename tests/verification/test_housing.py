@@ -79,7 +79,7 @@ def test_two_masses_in_closed_form() -> None:
 
 
 class Dense:
-    """All freedoms of every node beside those of rigid bodies under some of the connections."""
+    """All DOF of every node beside those of rigid bodies under some of the connections."""
 
     def __init__(self, found: Scene, row: int) -> None:
         spindle, mesh = found.spindle, found.mesh

@@ -225,7 +225,7 @@ def of_shaft(port: str, *supports: LinearSupport) -> Any:
 
 
 def test_peaks_far_below_the_highest_frequency_are_found() -> None:
-    """Of a shaft on an axial spring, which it swings on at 1.4 Hz."""
+    """Of a shaft on an axial spring, which it oscillates on at 1.4 Hz."""
     size, damping, radial = 1e3, 10.0, {("y", "y"): 2e7, ("z", "z"): 2e7}
     front = LinearSupport("front", 0.1, {**radial, ("x", "x"): size}, {("x", "x"): damping})
     shaft, results = of_shaft("x", front, LinearSupport("rear", 0.5, radial))

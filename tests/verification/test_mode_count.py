@@ -60,7 +60,7 @@ def test_isotropic_rotors_by_inertia_of_the_exact_shaft(seed: int) -> None:
 @pytest.mark.few(2)
 @pytest.mark.parametrize("seed", [1, 4, 5, 7])
 def test_anisotropic_damped_rotors_by_all_eigenvalues(seed: int) -> None:
-    """Against the dense eigenproblem of many standard elements, no DOF left out."""
+    """Against the dense eigenproblem of many standard elements, no DOF omitted."""
     rng = np.random.default_rng(100 + seed)
     spindle = stepped_rotor(rng, isotropic=False, damped=True)
     short = spindle.shaft.end / 120.0

@@ -128,7 +128,7 @@ def machines() -> dict[str, tuple[Spindle, dict[str, Any]]]:
 
 
 MACHINES = machines()
-SEEN = 2e-7  # of the peak: errors below a thousandth of the accuracy asked for are not judged
+SEEN = 2e-7  # of the peak: errors below a thousandth of the accuracy requested are not judged
 
 
 @pytest.mark.few(4)

@@ -176,7 +176,7 @@ def test_a_rotor_that_cannot_move() -> None:
 
 
 def test_what_acts_on_a_rigid_support_moves_nothing() -> None:
-    """Nor does the place held there move; the support carries the unbalance by itself, Ω² U."""
+    """Nor does the place held there move; the support alone carries the unbalance force Ω² U."""
     spindle = beam(pin("a", 0.0), spring("b", LENGTH, 5e7, damping=1e3))
     spindle = replace(spindle, points={**spindle.points, "held": 0.0})
     spec: Any = UnbalanceSpec(("mid", "end"), (Unbalance("held", 1e-5),), run_up=(1.0,))

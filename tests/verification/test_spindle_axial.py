@@ -1,4 +1,4 @@
-"""Axial motion and torsion of the spindle against all freedoms of the rod and its sleeves."""
+"""Axial motion and torsion of the spindle against all DOF of the rod and its sleeves."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Radial stiffness of the spindle against all freedoms of the rotor and one bearing at a time."""
+"""Radial stiffness of the spindle against all DOF of the rotor and one bearing at a time."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ def test_curve_against_an_independent_equilibrium(rpm: int, rigid: bool) -> None
 
     Unknowns: forces and moments of the bearings on the shaft follow from (x, y, θz) at the seats;
     the elastic shaft answers with the flexibility of its free-free stiffness about the motion of
-    bearing a, all freedoms kept. Loads are in the spindle's frame; the axial force in the shaft
+    bearing a, all DOF kept. Loads are in the spindle's frame; the axial force in the shaft
     does not act on its bending.
     """
     spindle = mfw2310()
@@ -338,7 +338,7 @@ def test_kinematics_of_two_branches_are_not_followed(monkeypatch: pytest.MonkeyP
 
 @pytest.mark.parametrize("share", [0.999, 1.001])
 def test_a_negative_stiffness_as_large_as_the_machines_pushes_the_shaft_away(share: float) -> None:
-    """Where it acts, the machine stands as long as it has more than that."""
+    """Where it acts, the machine is stable as long as it has more than that."""
     least = tangent(stiffness(), "full")[1]  # at 12 000 rpm; more at rest, less at 24 000 rpm
     field = {(way, way): -share * least for way in ("y", "z")}
     spindle = mfw2310(supports=(LinearSupport("field", -0.0524, field),))

@@ -132,7 +132,7 @@ def test_orbits_beyond_what_a_film_is_computed_for_are_told() -> None:
 
 @KINDS
 def test_free_motion_of_a_rigid_rotor(film: str) -> None:
-    """M p² + 2 C p + 2 K = 0 of the motion across the axis, with a thin oil that lets it swing."""
+    """M p² + 2 C p + 2 K = 0 of the motion across the axis, with a thin oil that lets it oscillate."""
     spindle = machine(film)
     spindle = replace(
         spindle, dampers=tuple(replace(each, viscosity=1e-3) for each in spindle.dampers)

@@ -191,7 +191,7 @@ def test_waves_shorter_than_matrices_hold_are_refused() -> None:
         tracemalloc.stop()
 
 
-# --- next to nothing -----------------------------------------------------------------------------
+# --- almost nothing -----------------------------------------------------------------------------
 
 
 @pytest.mark.few(2)

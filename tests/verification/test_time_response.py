@@ -91,7 +91,7 @@ def seen(spindle: Spindle, spec: TimeResponseSpec, rpm: float, **given: Any) -> 
 
 def rigid_motion(scene: Scene, force: ForceOverTime, time: Array) -> Array:
     """(x, y, z, θy, θz) of the centre of gravity (t, 5): Newton's and Euler's equations of a rigid
-    body, each bearing asked for its load where its ring is; ``force`` along y at x = 0."""
+    body, each bearing solved for its load at the position of its ring; ``force`` along y at x = 0."""
     spindle, speed = scene.spindle, float(scene.speed[0])
     body = rotor_inertia(spindle)
     begun = [balls.displacement[0, at] for balls, at in scene.preload.seat_states()]
@@ -304,7 +304,7 @@ def test_a_force_that_grows_slowly_ends_in_the_state_under_it(rotor: str, apart:
 
 def test_the_gap_of_a_stop_is_that_of_the_state_under_the_force() -> None:
     """200 N along the axis on a spring of 5 N/µm, slowly: the sleeve ends where the axial state
-    has it, and beyond a closer stop that is told."""
+    has it, and beyond a closer stop that is reported."""
     for travel, told in ((60e-6, False), (1e-6, True)):
         spindle = short(6000.0, Spring(300.0, 5e6), travel)
         slow = push(-200.0, direction="x", pulse=0.1)
@@ -603,7 +603,7 @@ STOP = 3e8  # N/m
 
 def along_the_axis(scene: Scene, force: ForceOverTime, time: Array) -> Array:
     """Displacements of shaft and sleeve along the axis (t, 2), both rigid, by Newton's equations of
-    two bodies: bearings asked for their load where their rings are, a spring, and a stop that only
+    two bodies: bearings solved for their load at their rings, a spring, and a stop that only
     pushes."""
     spindle, speed, state = scene.spindle, float(scene.speed[0]), scene.preload
     sleeve, (front, rear) = spindle.sleeves[0], spindle.seats

@@ -511,7 +511,7 @@ def test_temperatures_on_their_way_are_told_where_loads_are_those_in_the_end() -
 
 
 def test_a_temperature_is_late_by_more_than_a_kelvin_and_on_its_way() -> None:
-    """The share of the way is left out where it ends farther from balance than it began."""
+    """The share of the way is omitted where it ends farther from balance than it began."""
     result = begun()
     settled = replace(
         result,

@@ -321,7 +321,7 @@ def test_each_finer_model_is_solved_once(tmp_path, monkeypatch):
 
 @pytest.mark.parametrize(("modelled", "most"), [(3000.0, 48e3), (4000.0, 64e3), (20e3, 80e3)])
 def test_finer_models_end_beyond_60_khz(tmp_path, monkeypatch, modelled, most):
-    """Sixteen times the frequency asked for, or the first power of two beyond 60 kHz."""
+    """Sixteen times the frequency requested, or the first power of two beyond 60 kHz."""
     asked = []
 
     def depth(self, scene, row, doublings, number):
@@ -685,7 +685,7 @@ def test_process_damping_deepens_slow_cuts(case, slow, constant):
 
 
 def test_a_cut_too_slow_for_the_finer_model_keeps_the_first(tmp_path):
-    """At 150 rpm waves of the tool's own mode are too many; what changes elsewhere is told."""
+    """At 150 rpm waves of the tool's own mode are too many; what changes elsewhere is reported."""
     asked = ASKED | {"max_frequency": "900 Hz", "radial": "400 MPa", "milling": "down"}
     path = tmp_path / "tool.yaml"
     slow = SLENDER.replace("tip: 0", "tip: -40").replace("[9000 rpm", "[150 rpm, 9000 rpm")
@@ -859,7 +859,7 @@ analyses:
 @pytest.mark.parametrize("immersion", ["30 %", "5 %"])
 def test_period_doubling_between_speeds_is_told(tmp_path, monkeypatch, immersion):
     """Where a step of 75 rpm passes it over, as deep and at the speed as steps of 6 rpm find it;
-    these have it among their limits, and nothing is told."""
+    these have it among their limits, and nothing is reported."""
     monkeypatch.setattr(converged, "_change", unchecked)
     found = []
     for speeds in ("[8825 rpm, 8900 rpm]", "{from: 8825 rpm, to: 8900 rpm, count: 13}"):
@@ -1052,7 +1052,7 @@ def test_a_least_limit_that_there_is_not_is_without_bound() -> None:
 
 
 def test_least_limits_of_a_measured_spindle_and_of_a_band_are_headline_numbers() -> None:
-    """Where one was measured, and where a band is asked for."""
+    """Where one was measured, and where a band is requested."""
     depth = np.array([4e-3, 3e-3])
     measured = counted(depth, measured=np.array([np.nan, 2e-3]))
     assert measured == {"least": 3.0, "measured least": 2.0}

@@ -154,7 +154,7 @@ def test_campbell_shows_where_a_mode_is_unstable():
 def test_campbell_leaves_out_what_hardly_swings():
     result = samples.campbell(9)
     ratio = result.damping_ratio.copy()
-    ratio[:, 0], ratio[4, 2] = 0.9999, 0.9999  # the second does swing, but at one speed
+    ratio[:, 0], ratio[4, 2] = 0.9999, 0.9999  # the second does oscillate, but at one speed
     overdamped = replace(result, damping_ratio=ratio)
     lines = [len(whirl_segments(r).get("backward", [])) for r in (result, overdamped)]
     assert lines[1] == lines[0] - 1
@@ -167,7 +167,7 @@ def test_campbell_leaves_out_what_hardly_swings():
 
 
 def test_figure_and_summary_tell_one_error_of_what_swings():
-    """The largest of an overdamped motion is told by neither, that of a strongly damped one is."""
+    """The largest of an overdamped motion is reported by neither, that of a strongly damped one is."""
     result = samples.campbell(9)
     ratio, error = result.damping_ratio.copy(), result.frequency_error.copy()
     ratio[:5, 0], ratio[:4, 1], ratio[:, 2] = 0.9999, 0.9999, 0.9

@@ -369,7 +369,7 @@ def test_differences_are_drawn_only_where_variants_differ():
 
 
 def test_a_panel_without_differences_is_as_high_as_its_row():
-    """A logarithmic panel has none; it stands beside a linear one, not above it."""
+    """A logarithmic panel has none; it is next to a linear one, not above it."""
     shown = [Shown(name, None, (), None) for name in ("a", "bb")]
     x = np.linspace(0.0, 9000.0, 9)
 

@@ -38,7 +38,7 @@ def test_samples_about_a_peak_grow_apart_from_the_width_of_the_peak(
     centre: float, width: float
 ) -> None:
     """Geometrically, on either side alike, from a quarter of the width, or of the narrowest one
-    that is told apart from none, out to both ends."""
+    that is distinguished from none, out to both ends."""
     low, high = 0.5 * centre, 1.8 * centre
     found = spread(centre, width, low, high)
     apart = np.sort(np.abs(found - centre))

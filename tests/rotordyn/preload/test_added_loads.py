@@ -1,4 +1,4 @@
-"""What missing shortening of the shaft would do to axial loads, against machines solved anew."""
+"""What missing shortening of the shaft would do to axial loads, against machines solved again."""
 
 from __future__ import annotations
 

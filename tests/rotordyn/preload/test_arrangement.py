@@ -1,4 +1,4 @@
-"""Who is joined to whom: twins, springs, what is asked of the bearings."""
+"""Connections of bearings: tandem pairs, springs, states computed of the bearings."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from tests.oracles.spindles import TOP, mfw2310, with_springs
 
 SPEED = np.array([0.0, 0.5, 1.0]) * TOP
 LAW = Law("outer", "equal")
-LIKE = np.array([0.2, 0.2, 0.3, 0.4, 0.4])  # of tandem twins alike
+LIKE = np.array([0.2, 0.2, 0.3, 0.4, 0.4])  # equal in a tandem pair
 
 
 def test_tandem_twins_are_one_bearing() -> None:

@@ -113,7 +113,7 @@ def test_two_expansions_of_one_housing_are_doubted() -> None:
 
 
 def test_a_housing_of_unknown_material_is_doubted_where_aluminium_would_tell() -> None:
-    """By the load of the machine with an aluminium housing, solved anew."""
+    """By the load of the machine with an aluminium housing, solved again."""
     bare, words = machine(), "the material of the housing is not given"
     warm = Temperatures(shaft=21.0, housing=21.0)
     (sentence,) = said(bare, words, temperatures=warm)

@@ -157,7 +157,7 @@ def test_slow_modes_are_told_with_their_digits(case, results):
 
 
 def test_numbers_have_three_digits_at_least():
-    """Springs of small spindles are told apart."""
+    """Springs of small spindles are distinguished."""
     assert [number(each) for each in (2.416, 2.459, 2.529)] == ["2.42", "2.46", "2.53"]
     assert [number(1.1), number(0.5), number(12.0, 0)] == ["1.10", "0.5", "12.0"]
     assert [number(each) for each in (12.34, 903.04, 0.0)] == ["12.3", "903.0", "0.0"]

@@ -123,7 +123,7 @@ def test_beside_films_nothing_is_compared() -> None:
 
 
 def test_a_resonance_between_the_speeds_of_the_case_is_told() -> None:
-    """There it is that of the peak by itself, and the same on a slow run past it."""
+    """There it is that of the peak alone, and the same on a slow run past it."""
     machine = mfw2310()
     body, points = PointMass("rotor", 0.25, 40.0, 0.04, 0.04), machine.points | {"middle": 0.25}
     machine = replace(machine, masses=(*machine.masses, body), points=points)

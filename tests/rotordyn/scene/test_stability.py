@@ -203,7 +203,7 @@ def test_an_instability_above_the_band_is_no_fact(highest: float, told: str) -> 
 
 
 def test_growth_is_told_at_speeds_with_fewer_poles() -> None:
-    """Damping so strong at rest that nothing swings; at speed the slowest pair grows."""
+    """Damping so strong at rest that nothing oscillates; at speed the slowest pair grows."""
     mass = rotor_inertia(swirled(0.0)).mass
     cross = 2.0 * DAMPER * math.sqrt(2.0 * STIFF / mass)
     swirl = {("y", "z"): (0.0, cross), ("z", "y"): (0.0, -cross)}

@@ -54,7 +54,7 @@ def test_warnings_of_balls_say_at_which_speeds() -> None:
 
 
 def test_bearings_are_judged_wherever_they_were_solved(monkeypatch: pytest.MonkeyPatch) -> None:
-    """No analysis of the preload state is asked for."""
+    """No analysis of the preload state is requested."""
     little = Scene(mfw2310(), conditions(friction=0.01), SPEEDS)
     assert little.preload.usable.all()
     assert any("the balls slip" in sentence for sentence in bearing_warnings(little))

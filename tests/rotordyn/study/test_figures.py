@@ -1,4 +1,4 @@
-"""Figures of a study: every line is told apart and named, no name is cut."""
+"""Figures of a study: every line is distinguished and named, no name is cut."""
 
 from __future__ import annotations
 

@@ -193,8 +193,8 @@ DRIFT = 2000.0  # m/N Hz⁴: of the charge amplifier of an accelerometer, at low
 
 
 def with_floor(seed: int, *, coherent: bool) -> Responses:
-    """Responses of the twin whose noise is 1 % and a drift, which swamps the
-    lowest lines; the coherence of ten averages knows it."""
+    """Responses of the synthetic rotor whose noise is 1 % and a drift, which swamps the
+    lowest lines; the coherence of ten averages shows it."""
     exact, rng = measured(spindle(), noise=0.0), np.random.default_rng(seed)
 
     def noisy(one: MeasuredResponse) -> MeasuredResponse:

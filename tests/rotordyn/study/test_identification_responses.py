@@ -1,4 +1,4 @@
-"""The rotor from frequency responses: a twin, and what wrong models show."""
+"""The rotor from frequency responses: synthetic data, and the signs of wrong models."""
 
 from __future__ import annotations
 

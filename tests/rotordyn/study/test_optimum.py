@@ -164,7 +164,7 @@ def test_an_analysis_without_headline_numbers_names_its_variables(overhung: Any)
 
 
 def test_a_machine_without_critical_speed_keeps_a_limit_that_says_so(tmp_path: Path) -> None:
-    """The case as it stands has none, nor the stiffest of the choices; a limit that does not say
+    """The unchanged case has none, nor the stiffest of the choices; a limit that does not say
     so leaves the one that has."""
     path = tmp_path / "span.yaml"
     text = SPAN_CASE.format(outer=OUTER, overhang=OVERHANG, front=FRONT, rear=REAR)
@@ -256,7 +256,7 @@ def test_few_choices_are_all_tried(case: Case) -> None:
 
 
 def test_all_trials_of_whole_numbers_are_spent(case: Case, monkeypatch: pytest.MonkeyPatch) -> None:
-    """25 of 33 machines, no two alike; the best stands at an end of both."""
+    """25 of 33 machines, no two alike; the best is at an end of both."""
 
     def tried(packed: bytes, place: tuple[float, ...], _: int = 1) -> Trial:
         return Trial(place, goals=(place[0] + 3.0 * place[1],), units=("N",))
@@ -668,7 +668,7 @@ def test_what_a_limit_may_be() -> None:
 
 
 def test_one_absent_number_of_several_breaks_a_limit(case: Case) -> None:
-    """Unless that says ``absent``; then, and of goals, it is told."""
+    """Unless that says ``absent``; then, and of goals, it is reported."""
     stop = "preload: stop"
     reading = Reading(np.array([9e3]), "rpm", ("stop rear",), (None,), absent=1)
     broken = Limit(stop, at_most="13000 rpm").margin(reading)

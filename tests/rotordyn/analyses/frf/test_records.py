@@ -500,7 +500,7 @@ def test_a_response_of_no_driving_point_is_told(kind: str) -> None:
 
 def test_peaks_of_a_coarse_record_of_the_same_machine_are_its_own(tmp_path: Path) -> None:
     """Lines of 0.5 Hz, the highest of which has a tenth of a peak at rest; at 1000 rpm two peaks
-    stand nearer to each other than lines, which is told."""
+    stand nearer to each other than lines, which is reported."""
     result = solve(case(tmp_path)).results["frf"]
     lines, found = [], []
     for rpm, values in zip((0, 1000), result.receptance[:, 0], strict=True):
