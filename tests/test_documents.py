@@ -197,7 +197,7 @@ def test_comparison_of_the_flagship_is_what_we_find_now() -> None:
         assert bool(old[0]) == bool(old[5]), "a reason for every series"
 
 
-def test_known_values_meet_ours_under_their_own_conditions() -> None:
+def test_known_values_agree_with_computed_ones_under_their_own_conditions() -> None:
     """The rigid rotor's stiffness and modes, to which the rotor was fitted, are met within 2 %.
 
     With the VEX 60 of that fit; within 3 % with the maker's, which the case has.

@@ -104,7 +104,7 @@ def test_a_ring_that_two_balls_hold_turns_as_slowly_as_one_likes(compiled: bool)
     assert step[1:] / step[:-1] == pytest.approx((speed[1] / speed[0]) ** 2, rel=1e-3)
 
 
-def test_states_again_are_told() -> None:
+def test_states_again_are_reported() -> None:
     state = rings.draw_states(83).only(5).solve()
     (word,) = condition.endings(state.operation, np.array([0]))
     match = re.fullmatch(
@@ -208,7 +208,7 @@ def test_a_start_decides_nothing(kinematics: str) -> None:
     assert np.array_equal(cold.inner_load, warm.inner_load, equal_nan=True)
 
 
-def test_residual_is_told() -> None:
+def test_residual_is_reported() -> None:
     loads = np.outer([100.0, 1000.0, 10000.0], [1.0, 0.3, 0.1, 0.001, 0.0])
     state = VEX70.equilibrium(load=loads, speed=FAST)
     assert (state.residual < 1e-11).all()

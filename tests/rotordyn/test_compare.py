@@ -170,7 +170,7 @@ def test_whirls_are_paired_where_the_first_speed_has_no_solution() -> None:
 
 
 def test_whirls_of_twins_are_paired_as_they_turn_at_speed() -> None:
-    """On a housing both planes are solved together: at rest modes of a pair whirl either way or not."""
+    """On a housing both planes are solved together: at rest pairs whirl either way or not."""
     whole = rotordyn.load("spindle_on_housing")
     asked = {"campbell": CampbellSpec(1000.0, shapes=False)}
     on_body = replace(whole.variants["body"], speeds=(0.0, 24000 * RPM), analyses=asked)
@@ -263,7 +263,7 @@ def test_of_many_variants_a_screen_shows_a_few_and_names_the_table(many: Deliver
     assert all(f"variant {k}" in table for k in range(15))
 
 
-def test_race_control_of_variants_stands_side_by_side(tmp_path: Path) -> None:
+def test_race_control_of_variants_is_side_by_side(tmp_path: Path) -> None:
     """The boundaries of two hypotheses in one table and one figure, a map each in its folder."""
     path = tmp_path / "two.yaml"
     path.write_text(

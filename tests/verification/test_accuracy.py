@@ -88,7 +88,7 @@ def test_random_rotors(seed: int) -> None:
 
 @pytest.mark.few(1)
 @pytest.mark.parametrize("damped", [False, True], ids=["undamped", "damped"])
-def test_poles_of_uneven_supports_move_as_told(damped: bool) -> None:
+def test_poles_of_uneven_supports_move_as_reported(damped: bool) -> None:
     """Both planes coupled: the estimate is that of the complex pole; standard elements, too."""
     for seed in range(4):
         rng = np.random.default_rng(50 + seed)

@@ -378,7 +378,7 @@ def test_flagship_moves_by_less_than_a_ten_thousandth() -> None:
 
 @pytest.mark.parametrize("guides", [(), (0.4,)])
 def test_a_strong_drawbar_is_no_error_of_the_rotor(guides: tuple[float, ...]) -> None:
-    """A string under the load on the truncated modes of the pressed shaft: almost no error is reported."""
+    """A string under the load on truncated modes of the pressed shaft: almost no reported error."""
     strung = beam(Drawbar(1.5 * EULER, 0.1, 0.8, guides))
     found = [
         campbell.solve(

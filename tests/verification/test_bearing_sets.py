@@ -409,7 +409,7 @@ def test_a_set_of_weak_bearings_is_mounted_too() -> None:
 
 
 @pytest.mark.parametrize("force", [100.0, 900.0])
-def test_bearings_of_a_side_that_grow_unlike_stand_together(force: float) -> None:
+def test_bearings_of_a_side_that_grow_unlike_are_together(force: float) -> None:
     """One place of the rings is sought where their loads, of one bearing each, add up to the force:
     a bearing whose growth has taken up more play carries more."""
     from scipy.optimize import brentq

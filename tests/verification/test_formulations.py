@@ -200,7 +200,7 @@ def test_uneven_supports_are_refused() -> None:
 
 
 @pytest.mark.parametrize("formulation", [TURNED, "fixed-frame softening"])
-def test_user_is_told(formulation: str) -> None:
+def test_user_is_informed(formulation: str) -> None:
     asked = replace(case(), speeds=(0.0,), analyses={"campbell": CampbellSpec(1500.0)})
     asked = replace(asked, conditions=replace(asked.conditions, formulation=formulation))
     answers = solve(asked)
@@ -250,7 +250,7 @@ def test_known_frequencies_are_drawn_in_the_fixed_frame_alone(
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_modes_seen_in_the_band_from_turning_axes(seed: int) -> None:
+def test_modes_seen_in_the_band_from_rotating_axes(seed: int) -> None:
     """Forward whirl of the exact shaft at ω, seen at |ω − Ω|: none is missing, though ω is up to Ω
     beyond the band, and the error is that of the frequency seen."""
     rng = np.random.default_rng(seed)

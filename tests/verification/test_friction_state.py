@@ -187,7 +187,7 @@ def test_vibrations_find_the_sleeve_standing() -> None:
     assert stiffness == pytest.approx([180e6, 120e6], rel=0.09), "Noël 2013, Fig. 3.28"
 
 
-def test_lines_say_where_friction_stands() -> None:
+def test_lines_say_where_friction_is() -> None:
     found = scene(rubbing(), [0.0, 12000.0])
     lines = summary(preload_answer(found, PreloadSpec()))
     assert any(line.startswith("friction   front") and "0.0 → 80.9" in line for line in lines)

@@ -109,7 +109,7 @@ def test_the_count_does_not_depend_on_the_frame() -> None:
 
 @pytest.mark.few(1)
 @pytest.mark.parametrize("seed", [1, 4])
-def test_reduced_poles_are_those_of_all_freedoms(seed: int) -> None:
+def test_reduced_poles_are_those_of_all_dof(seed: int) -> None:
     """Up to sixty sections on damped uneven supports, the same elements by one dense solve."""
     rng = np.random.default_rng(seed)
     spindle = stepped_rotor(rng, isotropic=False, damped=True, sections=60)

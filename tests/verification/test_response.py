@@ -65,7 +65,7 @@ def apart(one: Any, other: Any) -> float:
 
 @pytest.mark.parametrize("ratios", [(), (0.02, 0.05)], ids=["plain", "modal"])
 @pytest.mark.parametrize("supports", [EVEN, SKEW, UNEVEN], ids=["even", "skew", "uneven"])
-def test_a_dense_solve_of_four_freedoms_a_node(supports: tuple, ratios: tuple) -> None:
+def test_a_dense_solve_of_four_dof_per_node(supports: tuple, ratios: tuple) -> None:
     """Assembled otherwise: both planes node by node, no circular coordinates."""
     spindle = replace(ROTOR, supports=supports, rotor_damping=ratios)
     length = 0.011
@@ -147,7 +147,7 @@ def test_reported_errors_are_those_of_a_coarser_model(kind: str) -> None:
 
 
 @pytest.mark.parametrize("supports", [EVEN, UNEVEN], ids=["even", "uneven"])
-def test_told_errors_are_those_of_the_elements(supports: tuple) -> None:
+def test_reported_errors_are_those_of_the_elements(supports: tuple) -> None:
     """Against the exact shaft."""
     spindle = replace(ROTOR, supports=supports)
     exact = exact_receptance(seen(spindle, 20000.0), ASKED, np.array(BAND))[0]

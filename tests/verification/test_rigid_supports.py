@@ -87,7 +87,7 @@ def test_pinned_beam_in_closed_form() -> None:
     assert found == pytest.approx(np.array(exact) / (2.0 * math.pi), rel=1e-8)
 
 
-def test_each_plane_by_itself() -> None:
+def test_each_plane_alone() -> None:
     """Held in y and z at different places, the planes are those of two machines."""
     mixed = beam(pin("a", 0.0), pin("b", LENGTH, "y"), pin("c", 0.3, "z"))
     ends = [beam(pin("a", 0.0), pin("b", LENGTH)), beam(pin("a", 0.0), pin("c", 0.3))]

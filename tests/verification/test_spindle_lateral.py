@@ -127,7 +127,7 @@ class _Tangents:
         return self._tangents
 
 
-def test_anisotropic_supports_against_all_freedoms() -> None:
+def test_anisotropic_supports_against_all_dof() -> None:
     """Lalanne and Ferraris' rotor at 30 000 rpm, receptance with both planes coupled."""
     rotor = case("lalanne_ferraris")
     found = Scene(

@@ -53,7 +53,7 @@ def test_tangent_at_no_load_is_the_full_matrix() -> None:
         assert tangent(stiffness(rotor), "nonlinear") == pytest.approx(full, rel=1e-6)
 
 
-def test_full_matrix_against_all_freedoms() -> None:
+def test_full_matrix_against_all_dof() -> None:
     found = scene(mfw2310(), SPEEDS)
     for row in range(3):
         for variant, mask in (("full", 1.0), ("diagonal", np.eye(5))):
@@ -224,7 +224,7 @@ def test_pressures_met_on_the_way_to_a_state_are_not_its_own() -> None:
 
 @pytest.mark.few(1)
 @pytest.mark.parametrize("kinematics", ["hybrid", "inner"])
-def test_many_steps_of_a_next_to_nothing_force_are_a_straight_line(kinematics: str) -> None:
+def test_many_steps_of_a_vanishing_force_are_a_straight_line(kinematics: str) -> None:
     """A thousandth of a newton in a hundred steps, beside preloads of hundreds."""
     asked = {"stiffness": StiffnessSpec("Oc2", 1e-3, 100, variants=("nonlinear",))}
     found = answers(mfw2310(), SPEEDS, asked, kinematics=kinematics)["stiffness"]

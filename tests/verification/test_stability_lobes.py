@@ -133,7 +133,7 @@ def test_process_damping(speed, lag):
 
 
 @pytest.mark.parametrize(("frequency", "speed"), [(0.5, 700.0), (2.2, 700.0), (2.2, 1e6)])
-def test_a_machine_that_is_unstable_by_itself_has_no_stable_depth(frequency, speed):
+def test_a_machine_that_is_unstable_without_a_cut_has_no_stable_depth(frequency, speed):
     """With a mode of negative damping below the highest frequency, or far above, where the map by
     which depths are tried has none; at a speed of which all depths would be stable, too."""
     omega, top = resolving(MACHINE.receptance)

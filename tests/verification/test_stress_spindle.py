@@ -186,7 +186,7 @@ def test_next_to_no_preload_is_none(preload: float) -> None:
 
 @pytest.mark.parametrize("preload", [0.1, 30.0])
 def test_preload_at_rest_is_what_is_stated(preload: float) -> None:
-    """Each bearing of a tandem pair carries half; the tangent goes with the cube root of the load."""
+    """Each of a tandem pair carries half; the tangent goes with the cube root of the load."""
     found = dynamic_preload(preloaded(preload), STILL, LAW)
     assert found.outcome == ("",)
     thrust = np.array([seat.thrust for seat in mfw2310().seats])

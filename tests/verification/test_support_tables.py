@@ -366,7 +366,7 @@ def test_two_critical_speeds_between_two_breakpoints(order: float, roots: int) -
 
 
 def test_threshold_of_what_grows_between_the_speeds_only() -> None:
-    """m r̈ + c ṙ + (k − iq) r = 0 grows where q > c √(k/m); q has its peak at a breakpoint, where the case
+    """m r̈ + c ṙ + (k − iq) r = 0 grows where q > c √(k/m); q peaks at a breakpoint, where the case
     has no speed."""
     rotor = replace(STEPPED, masses=(), supports=())
     body, top, stiff, damper = rotor_inertia(rotor), 800.0, 2e6, 200.0

@@ -53,7 +53,7 @@ def test_modes_up_to_the_cutoff_are_exact(seed: int, size: int, cutoff: float) -
 
 @settings(max_examples=25)
 @given(SEEDS, st.floats(0.1, 10.0))
-def test_statics_at_the_loaded_freedoms(seed: int, spring: float) -> None:
+def test_statics_at_the_loaded_dof(seed: int, spring: float) -> None:
     """Held by springs where loads may act, the reduced system is as flexible as the whole."""
     mass, stiffness = free_chain(seed, 30)
     places = [2, 14, 27]

@@ -156,7 +156,7 @@ def test_a_hinged_body_has_one_free_motion() -> None:
 
 
 @pytest.mark.parametrize("damping", [0.0, 0.4, 30.0])
-def test_one_of_each_pair_stands_for_both(damping: float) -> None:
+def test_one_of_each_pair_represents_both(damping: float) -> None:
     """Sums over all poles of what conjugates share, also where some systems of a batch hardly
     oscillate and rows are filled up; of complex matrices every pole represents itself."""
     draw = np.random.default_rng(8)

@@ -77,7 +77,7 @@ def held_along(x: float, reference: float, friction: float = 0.0) -> Spindle:
 
 
 @pytest.mark.parametrize("warm", [None, Temperatures(shaft=45.0, housing=30.0)])
-def test_a_support_along_the_axis_holds_the_shaft_where_it_stands(
+def test_a_support_along_the_axis_holds_the_shaft_where_it_is(
     warm: Temperatures | None,
 ) -> None:
     """Which station is said not to shift changes nothing; the position of the support does."""

@@ -105,7 +105,7 @@ def test_readers_without_rotordyn_see_what_it_writes(path: Path, results) -> Non
     np.testing.assert_array_equal(joined, frf.receptance)
 
 
-def test_units_of_pairs_stand_in_their_order(results) -> None:
+def test_units_of_pairs_are_in_their_order(results) -> None:
     frf = results["frf"]
     (attrs,) = (v.attrs for v in variables(frf) if v.name == "receptance")
     units = {cf.units(frf.unit(k))["units"] for k in range(len(frf.pair))}

@@ -108,7 +108,7 @@ def test_accuracy_not_reached_is_a_warning() -> None:
 
 
 @pytest.mark.parametrize(("times", "said"), [(1.0, False), (8.0, True)])
-def test_preloads_beyond_all_classes_are_told(times: float, said: bool) -> None:
+def test_preloads_beyond_all_classes_are_reported(times: float, said: bool) -> None:
     machine = mfw2310()
     sleeves = tuple(
         replace(each, spring=replace(each.spring, preload=times * each.spring.preload))
@@ -120,7 +120,7 @@ def test_preloads_beyond_all_classes_are_told(times: float, said: bool) -> None:
     assert bool(told) == said
 
 
-def test_a_bearing_within_its_play_is_told() -> None:
+def test_a_bearing_within_its_play_is_reported() -> None:
     spindle = rotordyn.load("spindle_deep_groove_rear").spindle
     deep, angular = spindle.seats[-1], spindle.seats[0]
     assert (deep.bearing.both_ways, angular.bearing.both_ways) == (True, False)

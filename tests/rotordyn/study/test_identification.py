@@ -48,7 +48,7 @@ def case() -> Case:
 
 
 @pytest.mark.long
-def test_five_twins_are_found_again(case: Case) -> None:
+def test_five_synthetic_machines_are_identified(case: Case) -> None:
     """95 % intervals: all but a few of 20 hold; three misses or fewer have a chance of 98 %."""
     inside = []
     for seed in range(5):
@@ -94,7 +94,7 @@ def test_shaft_alone_cannot_tell_the_preloads_apart(case: Case) -> None:
 
 
 @pytest.mark.long
-def test_growth_and_three_shifts_are_not_told_apart() -> None:
+def test_growth_and_three_shifts_are_not_distinguished() -> None:
     """Together with all other unknowns; with the shifts known, growth is."""
     asked = read_identification(STUDIES / "mfw2310_twin.yaml").searches
     path = "spindle.shortening.shift"

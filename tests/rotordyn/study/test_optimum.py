@@ -341,7 +341,7 @@ def test_ends_of_a_trade_off_are_the_best_of_each_goal(
     assert enough.best.goals[0] > 0.9999 * machine.most()
 
 
-def test_the_case_as_it_stands_is_tried_first_or_said_to_be_better(case: Case) -> None:
+def test_the_unchanged_case_is_tried_first_or_said_to_be_better(case: Case) -> None:
     """A limit that it just keeps, which few trials would not find."""
     start = as_it_stands(Problem(case, (), (STIFF,), (Limit("preload: sum", at_most="90 kN"),)))
     limit = Limit("preload: sum", at_most=f"{start.readings[0]:.9g} N")
@@ -414,7 +414,7 @@ def test_a_local_search_goes_where_a_goal_has_no_bound(
         (["800 N", "1 kN"], None),
     ],
 )
-def test_place_of_the_case_as_it_stands(case: Case, asked: object, place: float | None) -> None:
+def test_place_of_the_unchanged_case(case: Case, asked: object, place: float | None) -> None:
     whole = vary(case, {SPRING: "900 N"})
     found = Problem(whole, tuple(parameters(whole, {SPRING: asked})), (STIFF,)).present
     assert (found and found[0]) == (None if place is None else pytest.approx(place))
@@ -436,7 +436,7 @@ def test_whole_numbers(case: Case) -> None:
         assert found.values[balls] == best
 
 
-def test_models_of_the_case_as_it_stands_are_named(case: Case) -> None:
+def test_models_of_the_unchanged_case_are_named(case: Case) -> None:
     """By their choice, or by their own name where they are none of these; none if they differ."""
     rows = []
     for choices, machine in (

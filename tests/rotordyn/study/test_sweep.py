@@ -328,7 +328,7 @@ def test_a_full_disk_is_said(monkeypatch: pytest.MonkeyPatch, case: Case, tmp_pa
     assert os.listdir(tmp_path / "s") == ["points.jsonl"]
 
 
-def test_models_stand_beside_the_file_of_the_study(
+def test_models_are_beside_the_file_of_the_study(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "mine.yaml").write_text((models_root() / "bearings" / "vex70.yaml").read_text())
@@ -712,7 +712,7 @@ def test_every_machine_of_a_tight_accuracy_is_checked(
 def test_what_a_first_model_lacked_is_looked_for_in_the_next_machine(
     case: Case, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """It begins with that model; the reported error is that of the finer one, whose results are used."""
+    """It begins with that model; the reported error is that of the finer one."""
 
     def solved(*_: Any, checks: Any, **__: Any) -> None:
         checks.first, checks.worst = 5.0, 1e-3
@@ -794,7 +794,7 @@ def test_limits_of_a_study_know_all_modes_whatever_was_solved_before(tmp_path: P
     assert found["stability_lobes: least"].values[1] < found["stability_lobes: least"].values[0]
 
 
-def test_what_is_kept_whole_stands_beside_numbers_of_the_same_name(tmp_path: Path) -> None:
+def test_what_is_kept_whole_is_beside_numbers_of_the_same_name(tmp_path: Path) -> None:
     (tmp_path / "lobes.yaml").write_text(LOBES)
     case = rotordyn.load(tmp_path / "lobes.yaml")
     spring = "spindle.sleeves.front.spring.preload"
