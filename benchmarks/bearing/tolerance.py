@@ -24,7 +24,7 @@ JUDGED = 20
 
 @contextmanager
 def tolerance(asked: float) -> Iterator[None]:
-    """Newton's method stops at the tolerance ``asked``, on the path not before its own one."""
+    """Newton's method stops at the tolerance ``asked``, along the path at its default or above."""
     path = max(asked, ON_THE_WAY)
     with (
         solver(compiled=False),

@@ -62,7 +62,7 @@ def write_uff(path: Path, values: list[np.ndarray]) -> None:
             {
                 "type": 58,
                 "func_type": 4,
-                "id1": f"{point}.y / nose.y, twin of a grinding spindle",
+                "id1": f"{point}.y / nose.y, synthetic, grinding spindle",
                 "rsp_node": number,
                 "rsp_dir": 2,
                 "ref_node": 1,
@@ -90,7 +90,7 @@ def write_csv(path: Path, values: list[np.ndarray]) -> None:
     coherence = 1.0 / (1.0 + 2.0 * AVERAGES * NOISE**2)
     pairs = [f"{point}.y / nose.y" for point in PORTS]
     head = [f"{pair} {part} [um/N]" for pair in pairs for part in ("real", "imaginary")]
-    lines = ["# twin of a grinding spindle at 6000 rpm, ten averages"]
+    lines = ["# synthetic data of a grinding spindle at 6000 rpm, ten averages"]
     lines.append(",".join(["frequency [Hz]", *head, "coherence"]))
     for k, frequency in enumerate(FREQUENCY):
         cells = [f"{part * 1e6:.5g}" for one in values for part in (one[k].real, one[k].imag)]
