@@ -1,1 +1,1 @@
-"""What the main job costs, measured with the standard library; see ``docs/benchmarks.md``."""
+"""Measurements of computing time, memory and accuracy; see ``docs/benchmarks.md``."""

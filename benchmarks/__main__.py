@@ -1,6 +1,6 @@
-"""All measurements, and the page made of them:  python -m benchmarks [--peer PATH] [--surveys]
+"""All measurements, and the page written from them:  python -m benchmarks [--peer PATH] [--surveys]
 
-About a quarter of an hour on a quiet machine; one after the other, each in a process of its own.
+About a quarter of an hour on a quiet machine; one after the other, each in a separate process.
 """
 
 from __future__ import annotations
@@ -22,15 +22,15 @@ SURVEYS = (("-m", "benchmarks.random_rotors"), ("-m", "benchmarks.random_bearing
 
 
 def main() -> None:
-    """Measure as the command line says, then write every document anew."""
+    """Measure as the command line says, then write every document again."""
     parser = argparse.ArgumentParser(
         prog="python -m benchmarks",
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("--peer", help="interpreter that has the peer: work side by side, too")
+    parser.add_argument("--peer", help="interpreter that has the peer: compare with it, too")
     parser.add_argument(
-        "--surveys", action="store_true", help="random rotors and bearings, too: an hour more"
+        "--surveys", action="store_true", help="also random rotors and bearings: an hour more"
     )
     asked = parser.parse_args()
     peer = (("-m", "benchmarks.peer", "--python", asked.peer),) if asked.peer else ()

@@ -1,9 +1,9 @@
 """Libraries for charts, their size and time:  python -m benchmarks.chart_libraries FILE…
 
 FILE: ``plotly.min.js``, ``plotly-gl3d.min.js``, ``plotly-basic.min.js``, ``bokeh.min.js``,
-``vega.min.js``, ``uPlot.iife.min.js``, as their makers offer them. Each draws three curves of 2000
+``vega.min.js``, ``uPlot.iife.min.js``, as published. Each draws three curves of 2000
 points in headless Chromium (playwright; CHROMIUM names another one); the time is that of the
-page's own thread, the median of ``RUNS`` fresh pages.
+thread of the page, the median of ``RUNS`` new pages.
 """
 
 from __future__ import annotations

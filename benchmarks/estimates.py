@@ -1,13 +1,13 @@
-"""How well estimates foretell what a catalogue prints: ``python -m benchmarks.estimates FILE.csv``.
+"""Errors of estimates of catalogue values: ``python -m benchmarks.estimates FILE.csv``.
 
 The file has a row for every bearing and the columns d_mm, D_mm, B_mm, C0_kN; for the preload
 classes L, M and H of a pair back to back, Fv_*_N (preload), Sa_*_N_um (axial rigidity) and, where
 printed, Kae_*_N (unloading force); alpha_deg and hybrid (0 or 1), or else a designation in
 ``code``: C or E for 15° or 25°, H or X in front for hybrid bearings, but HS for steel. Every row is
-fitted on C0 and one class and judged on the others; with ``--rating 1`` on C_kN too, with
-``--rating 1.62`` as if that of a pair were given for one bearing. No figure of the method was
-chosen on such a file: how usual a ball is, is counted in catalogues of other makers
-(``bearings.catalogue``).
+fitted to C0 and one class and compared with the other classes; with ``--rating 1`` also fitted to
+C_kN, with ``--rating 1.62`` as if the rating of a pair were given for one bearing. No constant of
+the method was chosen with such a file: the frequencies of balls are those of catalogues of other
+makers (``bearings.catalogue``).
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ _ANGLES = {"C": 15.0, "E": 25.0}
 
 
 class Judged(NamedTuple):
-    """Errors of one row in one class it was not fitted on, estimated over printed less 1."""
+    """Errors of one row in one class it was not fitted to, estimated over printed less 1."""
 
     code: str
     series: str
@@ -43,9 +43,9 @@ def main() -> None:
     """Print errors over all rows, the worst row, and the errors of every series."""
     arguments = argparse.ArgumentParser(description=__doc__)
     arguments.add_argument("file")
-    arguments.add_argument("--fitted", default=CLASSES, help="classes to fit on (default: LMH)")
+    arguments.add_argument("--fitted", default=CLASSES, help="classes to fit to (default: LMH)")
     arguments.add_argument("--every", type=int, default=1, help="use every n-th row only")
-    arguments.add_argument("--rating", type=float, default=0.0, help="fit on so many times C also")
+    arguments.add_argument("--rating", type=float, default=0.0, help="fit also to so many times C")
     given = arguments.parse_args()
     with open(given.file, newline="", encoding="utf-8") as file:
         rows = [*csv.DictReader(file)][:: given.every]

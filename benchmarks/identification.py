@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Random twins of the MFW 2310 identified from their own noisy curves:
+"""Random machines like the MFW 2310 identified from synthetic noisy curves:
 python -m benchmarks.identification [--count N] [--first K]
 
-Nine numbers of each twin lie anywhere within 10 % of those of the spindle; displacements of shaft
-and rear sleeve at three speeds, 25 points on both branches, noise of 0.4 µm and a tare of 1 µm at
-each speed. Is every number within its 95 % interval, is the radial stiffness at top speed, how far
-off is that and to one side, how long does it take, and does the true hypothesis survive beside a
-false one? Shifts of the seats are known.
+Nine values of each machine lie anywhere within 10 % of those of the spindle. The data are
+displacements of shaft and rear sleeve at three speeds, 25 points on both branches, with noise of
+0.4 µm and a tare of 1 µm at each speed. The results are: values within their 95 % intervals, the
+radial stiffness at top speed likewise, its error and mean error, computing time, and whether the
+true hypothesis and a false one are retained. Shifts of the seats are known.
 """
 
 from __future__ import annotations
@@ -34,12 +34,12 @@ from rotordyn.study.identification.trial import Known
 COUNT, POINTS, NOISE, TARE, APART = 100, 25, 0.4e-6, 1e-6, 0.1
 SPEEDS = np.array([4000.0, 16000.0, 24000.0]) * RPM
 FALSE = (("hybrid", "equal"), ("outer", "outer"), ("hybrid", "hybrid"))  # kinematics, sharing
-FILE = ROOT / "out" / "identification_twins.jsonl"
+FILE = ROOT / "out" / "identification_synthetic.jsonl"
 STIFFNESS = (Predicted("stiffness: full at 24000 rpm"),)
 
 
 def measured(problem: Problem, values: np.ndarray, rng: np.random.Generator) -> Problem:
-    """The problem with curves of a twin, each with its noise and tares."""
+    """The problem with curves of a machine, each with its noise and tares."""
     force = np.linspace(-1691.0, 1809.0, POINTS)
     speed = np.repeat(SPEEDS, 2 * POINTS)
     branch = tuple(np.tile(np.repeat(BRANCHES, POINTS), len(SPEEDS)).tolist())
@@ -69,8 +69,8 @@ def measured(problem: Problem, values: np.ndarray, rng: np.random.Generator) -> 
     return replace(problem, measurements=tuple(curve(b, each) for b, each in pairs))
 
 
-def twin(number: int) -> dict[str, Any]:
-    """One twin identified."""
+def identified(number: int) -> dict[str, Any]:
+    """One machine identified from its synthetic curves."""
     rng = np.random.default_rng((2310, number))
     asked = read_identification(ROOT / "cases" / "identification" / "mfw2310_twin.yaml")
     base = asked.searches.problem(0)
@@ -94,7 +94,7 @@ def twin(number: int) -> dict[str, Any]:
     rival = search(other, fit.values)
     inside = (sure.interval[:, 0] <= true) & (true <= sure.interval[:, 1])
     return {
-        "twin": number,
+        "number": number,
         "inside": inside.tolist(),
         "words": list(sure.words),
         "off": ((fit.values - true) / true).tolist(),
@@ -103,14 +103,14 @@ def twin(number: int) -> dict[str, Any]:
         "seconds": seconds,
         "machines": problem.evaluations,
         "reduced": sure.reduced,
-        "survives": bool(fit.cost - rival.cost <= SURVIVES),
-        "false survives": bool(rival.cost - fit.cost <= SURVIVES),
+        "true retained": bool(fit.cost - rival.cost <= SURVIVES),
+        "false retained": bool(rival.cost - fit.cost <= SURVIVES),
         "false": list(false),
     }
 
 
 def main() -> None:
-    """Identify twins as the command line says; those done before are not done again."""
+    """Identify machines as the command line says; those done before are not done again."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
@@ -119,10 +119,10 @@ def main() -> None:
     given = parser.parse_args()
     FILE.parent.mkdir(exist_ok=True)
     lines = FILE.read_text().splitlines() if FILE.exists() else []
-    found = {row["twin"]: row for row in map(json.loads, lines)}
+    found = {row["number"]: row for row in map(json.loads, lines)}
     for number in range(given.first, given.first + given.count):
         if number not in found:
-            found[number] = twin(number)
+            found[number] = identified(number)
             with FILE.open("a") as file:
                 file.write(json.dumps(found[number]) + "\n")
         sys.stdout.write(_said(list(found.values())) + "\n")
@@ -136,7 +136,7 @@ def _summed(rows: list[dict[str, Any]]) -> dict[str, Any]:
     low, high = np.array([row["predicted"] for row in rows]).T
     off = stiff / true - 1.0
     return {
-        "twins": len(rows),
+        "machines": len(rows),
         "covered": inside.sum(axis=0).tolist(),
         "all": int(inside.all(axis=1).sum()),
         "stiffness covered": int(((low <= true) & (true <= high)).sum()),
@@ -147,8 +147,8 @@ def _summed(rows: list[dict[str, Any]]) -> dict[str, Any]:
         "stiffness error of the mean": float(off.std(ddof=1) / np.sqrt(len(off))),
         "seconds": float(np.median([row["seconds"] for row in rows])),
         "longest": float(max(row["seconds"] for row in rows)),
-        "true survives": int(sum(row["survives"] for row in rows)),
-        "false survives": int(sum(row["false survives"] for row in rows)),
+        "true retained": int(sum(row["true retained"] for row in rows)),
+        "false retained": int(sum(row["false retained"] for row in rows)),
     }
 
 

@@ -1,4 +1,4 @@
-"""What setting up from nothing costs: the command that a new user types, in a copy of the tree."""
+"""Time and size of an installation from nothing: a new user's command in a copy of the tree."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ LEFT_OUT = shutil.ignore_patterns(".*", "out", "dist", "build", "__pycache__", "
 def measure_installation() -> dict[str, Any]:
     """Seconds, size on disk and number of packages of ``scripts/environment run``.
 
-    Packages come from the index or pip's cache, whatever pip does there by itself.
+    Packages come from the index or the cache of pip, as pip chooses.
     """
     with tempfile.TemporaryDirectory() as made:
         tree = Path(made) / "rotordyn"

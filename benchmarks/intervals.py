@@ -2,11 +2,11 @@
 """Ranges over tolerances against random machines:
 python -m benchmarks.intervals [--count N] [--first K] [--parts N] [--only MACHINE]
 
-Of four spindles, with what is usually uncertain of them: sum of preloads and radial stiffness at
-rest and at top speed. The range from few runs (``rotordyn.study.interval``) beside the 2.5 % and
+Sum of preloads and radial stiffness of four spindles at rest and at top speed, with the usual
+uncertainties. The range from few runs (``rotordyn.study.interval``) is compared with the 2.5 % and
 97.5 % quantiles of machines drawn within the same tolerances (Latin hypercube), all of which are
-solved; their difference over the width of the range, and the sampling error of that by bootstrap.
-Parts of the sample are kept and put together.
+solved. The difference is relative to the width of the range; its sampling error is that of the
+bootstrap. Parts of the sample are kept and put together.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ Array = NDArray[np.float64]
 
 
 def machine(name: str) -> Case:
-    """A shipped case at rest and at top speed, as usual uncertain."""
+    """A shipped case at rest and at top speed, with the usual uncertainties."""
     case = rotordyn.load(ROOT / "cases" / f"{name}.yaml")
     stiffness = StiffnessSpec(MACHINES[name], max_force=100.0, steps=1, variants=("full",))
     return replace(
@@ -95,7 +95,7 @@ def _numbers(case: Case, memo: Memo) -> Array:
 
 
 def measure(name: str, values: Array) -> dict[str, Any]:
-    """A line for each number: both ranges, and how far their ends lie apart."""
+    """A line for each quantity: both ranges, and the difference of their ends."""
     case = machine(name)
     begin = time.process_time()
     held = rotordyn.run(case, interval=True).held_intervals[""]
@@ -164,11 +164,11 @@ def main() -> None:
     """Solve the parts of the sample that are not kept yet, then compare; with ``--costs`` time."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--count", type=int, default=COUNT, help="machines of each")
-    parser.add_argument("--parts", type=int, default=PARTS, help="in which they are kept")
+    parser.add_argument("--parts", type=int, default=PARTS, help="number of parts that are kept")
     parser.add_argument("--first", type=int, default=0, help="part to begin with")
     parser.add_argument("--last", type=int, help="part to end with; none is compared then")
     parser.add_argument("--only", choices=[*MACHINES], help="one machine")
-    parser.add_argument("--kept", action="store_true", help="compare what is kept, solve nothing")
+    parser.add_argument("--kept", action="store_true", help="compare the kept parts, solve nothing")
     parser.add_argument("--costs", action="store_true", help="time hypotheses of the flagship")
     asked = parser.parse_args()
     FOLDER.mkdir(parents=True, exist_ok=True)

@@ -11,7 +11,7 @@ RESULTS = ROOT / "benchmarks" / "results.json"
 
 
 def keep(group: str | None = None, **found: Any) -> None:
-    """Write each part anew, with four digits that count; leave the others as they are.
+    """Replace each part, with four significant digits; leave the other parts unchanged.
 
     ``group``: the part that they are parts of.
     """
@@ -23,7 +23,7 @@ def keep(group: str | None = None, **found: Any) -> None:
 
 
 def rounded(value: Any) -> Any:
-    """Numbers with four digits that count."""
+    """Numbers with four significant digits."""
     if isinstance(value, dict):
         return {key: rounded(inner) for key, inner in value.items()}
     if isinstance(value, list):

@@ -2,7 +2,7 @@
 """A long study killed three times:  python -m benchmarks.killed [--side N] [--seed N]
 
 N × N points of the grinding spindle (preload of both springs) at one speed; ``kill -9`` of all its
-processes at three random moments, then the same command to the end. Told: points lost, points
+processes at three random moments, then the same command to the end. Reported: points lost, points
 solved twice, and the largest relative difference of fifty of them from single runs.
 """
 
@@ -42,7 +42,7 @@ def study(side: int) -> str:
 
 
 def measure(side: int, seed: int) -> dict[str, object]:
-    """Kill, go on, compare."""
+    """Kill, continue, compare."""
     chance = random.Random(seed)
     with tempfile.TemporaryDirectory() as made:
         folder = Path(made)
@@ -62,7 +62,7 @@ def measure(side: int, seed: int) -> dict[str, object]:
             running.wait()
         last = _started(folder)
         if last.wait():
-            raise SystemExit("the study does not go on")
+            raise SystemExit("the study does not continue")
         seconds = time.perf_counter() - begin
         rows = [json.loads(line) for line in journal.read_text().splitlines()[1:]]
         numbers = [row["point"] for row in rows]

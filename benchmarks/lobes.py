@@ -1,8 +1,8 @@
 """Times of stability lobes and of tools:  python -m benchmarks.lobes
 
-400 speeds of the milling spindle after its modes, by zero order and by all harmonics; one tool and
-ten, with how often the bearings are solved. Limits against the time domain:
-``python -m tests.oracles.random_milling 200``.
+Limit depths at 400 speeds of the milling spindle with known modes, by zero order and by all
+harmonics; one tool and ten tools, and how often the bearings are solved. Limits against the time
+domain: ``python -m tests.oracles.random_milling 200``.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""What the main job costs:  python benchmarks/main_job.py [--runs N] [--install]
+"""Computing time and memory of the main job:  python benchmarks/main_job.py [--runs N] [--install]
 
 Writes ``benchmarks/results.json``, and from it ``docs/benchmarks.md``. The processes are measured
-first: a child's memory is counted from that of this process on, which is small until then.
+first: a child's memory includes that of this process at its start, which is small until then.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ SHORT = {
 
 
 def measure(runs: int = 7, *, install: bool = False) -> None:
-    """Measure and write down; an earlier installation and earlier surveys stay as they are."""
+    """Measure and write; an earlier installation and earlier surveys remain unchanged."""
     busy = os.getloadavg()[0] if hasattr(os, "getloadavg") else None
     with tempfile.TemporaryDirectory() as made:
         processes, stages, memory = _processes(Path(made) / "out", runs)
@@ -88,7 +88,7 @@ def _processes(
         "run, the first ever": partial(first_cost, run),
         "run": recorded,
         "run --no-figures": partial(cost, [*run, "--no-figures"]),
-        "the same from Python, no files and no figures": partial(cost, python("-c", LIBRARY)),
+        "run from Python, no files and no figures": partial(cost, python("-c", LIBRARY)),
     }
     short: dict[str, Callable[[], Cost]] = {
         name: partial(cost, python(*what)) for name, what in SHORT.items()
@@ -117,7 +117,7 @@ def main() -> int:
     """Measure as the command line says, and write the page."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--runs", type=int, default=7, help="runs of which the median is taken")
-    parser.add_argument("--install", action="store_true", help="measure the installation anew")
+    parser.add_argument("--install", action="store_true", help="measure the installation again")
     arguments = parser.parse_args()
     measure(arguments.runs, install=arguments.install)
     from docs.generate.pages import write_benchmarks

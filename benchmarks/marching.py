@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Response over time, time against true error:  python -m benchmarks.marching
 
-The blow of the shipped case ``mfw2310_shock`` at its three speeds, 20 ms of it, in ever more steps.
+The shock of the case ``mfw2310_shock`` at its three speeds, 20 ms of it, with more and more steps.
 The error is the largest of the displacement of the tool over its largest, against steps an eighth
 as long as the shortest.
 """

@@ -1,9 +1,9 @@
-"""Optima against brute force on random design problems:  python -m benchmarks.optima [--anew]
+"""Optima against brute force on random design problems:  python -m benchmarks.optima [--restart]
 
 Each problem varies two spans (or a span and a choice) of a shipped spindle within random ends,
-under random limits; brute force solves a grid of it. ``behind``: how far the best found lies behind
-that of the grid, relative, negative where it is better. Kept in ``benchmarks/results.json`` after
-each problem; a further run goes on where the last one ended.
+under random limits; brute force solves a grid of it. ``behind``: relative difference of the best
+found from the best of the grid, negative where it is better. Kept in ``benchmarks/results.json``
+after each problem; a further run continues where the last one ended.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ READ = ("preload: sum", "campbell.frequency")
 
 
 def problems(count: int) -> Iterator[tuple[dict[str, object], Goal, list[Limit]]]:
-    """Random choices, goals and limits; each limit cuts the case as it stands closely."""
+    """Random choices, goals and limits; each limit is close to the value of the unchanged case."""
     for number in range(count):
         rng = np.random.default_rng([SEED, number])
         paths = [str(p) for p in rng.choice(list(SPANS), 2, replace=False)]
@@ -71,7 +71,7 @@ def _span(rng: np.random.Generator, low: float, high: float) -> Span:
 
 
 def judged(case: Case, varied: dict[str, Any], goal: Goal, limits: list[Limit]) -> dict[str, Any]:
-    """The best found against the best of a grid."""
+    """The best found compared with the best of a grid."""
     begin = time.process_time()
     found = optimise(case, varied, [goal], limits, trials=TRIALS, workers=1)
     spent = time.process_time() - begin
@@ -99,10 +99,10 @@ def judged(case: Case, varied: dict[str, Any], goal: Goal, limits: list[Limit]) 
 
 
 def main() -> None:
-    """Judge the problems and keep what they come to."""
+    """Solve the problems and keep the results."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--problems", type=int, default=20)
-    parser.add_argument("--anew", action="store_true", help="begin with the first one")
+    parser.add_argument("--restart", action="store_true", help="begin again with the first one")
     given = parser.parse_args()
     case = rotordyn.vary(rotordyn.load("grinding_spindle"), {"speeds": (0.0, 400.0 * math.pi)})
     kept = json.loads(RESULTS.read_text(encoding="utf-8")).get("optima", {})

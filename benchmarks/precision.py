@@ -1,8 +1,8 @@
-"""What accuracy costs: time against true error, for elements of any degree and standard ones.
+"""Time against true error, for elements of any degree and standard ones.
 
-The truth is the exact shaft. Both machines turn from rest to their top speed; errors are the
+The reference is the exact shaft. Both machines turn from rest to their top speed; errors are the
 largest relative ones of all bending frequencies of the band at all speeds. Times, the
-fastest of some runs, are those of mesh, reduction and modes, the bearings known.
+fastest of some runs, are those of mesh, reduction and modes, with known bearing states.
 """
 
 from __future__ import annotations
@@ -91,7 +91,7 @@ def _line(machine: Machine, truth: Any, asked: dict[str, float]) -> dict[str, An
     return {
         "unknowns": found.modes.stiffness.shape[-1],
         "error": _error(machine, found, truth),
-        "told": result.largest_error,
+        "reported": result.largest_error,
         "seconds": min(seconds),
     }
 

@@ -15,7 +15,7 @@ from typing import Any
 
 ROOT = Path(__file__).resolve().parents[1]
 MEGABYTE = 1e6
-POLL = 0.01  # s between two looks at memory
+POLL = 0.01  # s between two readings of the memory
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,11 +35,11 @@ def python(*arguments: str) -> list[str]:
 def cost(command: Sequence[str], environment: Mapping[str, str] | None = None) -> Cost:
     """Run ``command`` from the root of the project once; it must succeed.
 
-    The memory of a child counts from before it became the command: keep this process small.
+    The memory of a child includes that of this process at the fork: keep this process small.
 
     Raises
     ------
-    CalledProcessError : it does not succeed
+    CalledProcessError : it fails
     """
     begin = time.perf_counter()
     child = _started(command, environment)
@@ -53,15 +53,15 @@ def cost(command: Sequence[str], environment: Mapping[str, str] | None = None) -
 
 
 def first_cost(command: Sequence[str]) -> Cost:
-    """The same with nothing left by an earlier run: an empty cache of matplotlib."""
+    """As ``cost``, without files of an earlier run: an empty cache of matplotlib."""
     with tempfile.TemporaryDirectory() as empty:
         return cost(command, {"MPLCONFIGDIR": empty})
 
 
 def in_turn(jobs: Mapping[str, Callable[[], Cost]], runs: int) -> dict[str, list[Cost]]:
-    """Costs of every job, one of each after the other, so that a busy moment meets all alike.
+    """Costs of every job, one of each in turn, so that a load on the machine affects all alike.
 
-    A first round is not counted.
+    The first round is not counted.
     """
     rounds = [{name: job() for name, job in jobs.items()} for _ in range(runs + 1)]
     return {name: [each[name] for each in rounds[1:]] for name in jobs}
@@ -82,7 +82,7 @@ def summary(name: str, found: Sequence[Cost]) -> dict[str, Any]:
 def tree_memory(command: Sequence[str]) -> float | None:
     """Peak memory of the command and its children together [MB], shared pages counted once.
 
-    None where the system does not tell (it needs ``/proc``).
+    None where the system does not report it (it needs ``/proc``).
     """
     if not Path("/proc/self/smaps_rollup").exists():
         return None

@@ -2,14 +2,16 @@
 
 *stepped*: one to eight sections of 0.2 to 500 diameters, discs, masses, two to four springs, up to
 five times the first critical speed; the lowest six frequencies of both whirls, against the exact
-shaft. *conical*: the same with cones, against the exact shaft of ever more cylinders, extrapolated.
-Missing or spurious modes, errors beyond the accuracy asked for, and the reported error beside the
-true one are counted.
+shaft. *conical*: the same with cones, against the exact shaft of more and more cylinders,
+extrapolated.
+Counted are missing or spurious modes, errors beyond the requested accuracy, and reported errors
+within a factor of three of the true ones.
 
-On damped supports that tell directions apart, against all eigenvalues of the assembled matrices:
-*dense*, one to sixty sections, of elements as fine as ours; *tapered*, *jointed* and *coaxial*
-(cones, joints, a further rotor at another speed), of much finer ones; a coaxial rotor of which
-these have too few digits against its exact shafts. All are kept in ``benchmarks/results.json``.
+On damped anisotropic supports, against all eigenvalues of the assembled matrices:
+*dense*, one to sixty sections, of the same elements; *tapered*, *jointed* and *coaxial*
+(cones, joints, a further rotor at another speed), of much finer ones; a coaxial rotor for which
+these have too few digits is compared with its exact shafts. Results are kept in
+``benchmarks/results.json``.
 """
 
 from __future__ import annotations
@@ -43,14 +45,14 @@ from tests.oracles.exact_shaft.rotor import exact_rotor
 from tests.oracles.stepped_rotors import coaxial, conical, jointed, stepped_rotor
 
 KNOWN = 1e-8  # relative: errors below that are not compared with what is reported
-DIGITS = 3e-7  # relative: what dense matrices of shafts of 500 diameters leave, or less
+DIGITS = 3e-7  # relative: error of dense matrices of shafts of 500 diameters, or less
 ACCURACIES = (1e-4, 1e-6)
 SECTIONS = {"dense": 60, "tapered": 12, "jointed": 12, "coaxial": 5}
-FINE = 1e-5  # accuracy asked for beside dense matrices
-FINER = 1e-8  # accuracy of the elements of dense matrices that judge ours
-OTHERS = (0.1 * FINER, 10.0 * FINER)  # of others, which tell how many digits those have
-SWINGING = 1e-3  # of |pole|: slower ones hardly swing and are not compared
-MATCHED = 1e-3  # relative: a pole farther from all of ours is missing
+FINE = 1e-5  # requested accuracy in comparisons with dense matrices
+FINER = 1e-8  # accuracy of the elements of dense matrices used as reference
+OTHERS = (0.1 * FINER, 10.0 * FINER)  # of others, which show how many digits those have
+SWINGING = 1e-3  # of |pole|: those with less are nearly overdamped and not compared
+MATCHED = 1e-3  # relative: a pole farther from all computed ones is missing
 EXACT = ("stepped", "conical")
 DENSE = ("dense", "tapered", "jointed", "coaxial")
 KEPT = {sort: f"{sort}_rotors" for sort in (*EXACT, *DENSE)} | {"stepped": "random_rotors"}
@@ -61,7 +63,7 @@ Pairs = list[tuple[float, float, float]]  # errors, as reported, and from where 
 
 
 def survey(sort: str, seeds: Sequence[int]) -> list[dict[str, Any]]:
-    """What rotors of a sort come to at every accuracy."""
+    """Results of rotors of a kind at every accuracy."""
     found = [against_exact(seed, sort) for seed in seeds]
     every = []
     for k, accuracy in enumerate(ACCURACIES):
@@ -80,8 +82,8 @@ def survey(sort: str, seeds: Sequence[int]) -> list[dict[str, Any]]:
 
 
 def _judged(pairs: Pairs, accuracy: float) -> dict[str, Any]:
-    """True and reported errors beside one another."""
-    ratios = np.array([told / error for error, told, known in pairs if error > known])
+    """True and reported errors compared."""
+    ratios = np.array([reported / error for error, reported, known in pairs if error > known])
     apart = np.abs(np.log(np.maximum(ratios, 1e-300)))
     return {
         "beyond": sum(error > accuracy for error, _, _ in pairs),
@@ -94,7 +96,7 @@ def _judged(pairs: Pairs, accuracy: float) -> dict[str, Any]:
 
 
 def against_exact(seed: int, sort: str = "stepped") -> list[tuple[int, Pairs]]:
-    """Of one rotor at every accuracy the modes missing or spurious, and (true, reported) error of
+    """For one rotor at every accuracy: missing or spurious modes, and (true, reported) error of
     every frequency."""
     rng = np.random.default_rng(seed)
     spindle = stepped_rotor(rng)
@@ -126,13 +128,13 @@ def against_exact(seed: int, sort: str = "stepped") -> list[tuple[int, Pairs]]:
             ours = 2.0 * math.pi * found.frequency[0, own]
             truth = _truth(sort, spindle, spin, ours, direction) if truth is None else truth
             error = np.abs(ours / truth - 1.0)
-            told = found.frequency_error[0, own]
-            pairs[k] += zip(error.tolist(), told.tolist(), [KNOWN] * len(own), strict=True)
+            reported = found.frequency_error[0, own]
+            pairs[k] += zip(error.tolist(), reported.tolist(), [KNOWN] * len(own), strict=True)
     return list(zip(missing, pairs, strict=True))
 
 
 def _truth(sort: str, spindle: Spindle, spin: float, near: Array, direction: int) -> Array:
-    """Frequencies [rad/s] of the exact shaft; of cones NaN where they are not known well enough."""
+    """Frequencies [rad/s] of the exact shaft; for cones NaN where digits are missing."""
     if sort == "stepped":
         return whirl_frequencies(exact_rotor(spindle, spin, NO_SEATS), len(near), direction)
     found, known = cone_frequencies(spindle, spin, near, direction)
@@ -142,13 +144,13 @@ def _truth(sort: str, spindle: Spindle, spin: float, near: Array, direction: int
 
 
 def dense_survey(sort: str, seeds: Sequence[int]) -> dict[str, Any]:
-    """What anisotropic damped rotors of a sort come to."""
+    """Results of anisotropic damped rotors of a kind."""
     return summed_up(list(seeds), [against_dense(seed, sort) for seed in seeds])
 
 
 def summed_up(seeds: list[int], every: list[dict[str, Any]]) -> dict[str, Any]:
-    """The same of outcomes known. Rotors of which the dense matrices have fewer digits than the
-    accuracy asked for are counted apart: they judge nothing."""
+    """The same for known outcomes. Rotors for which the dense matrices have fewer digits than the
+    requested accuracy are counted separately and not compared."""
     blurred = [one for one in every if one["digits"] > FINE]
     seeds = [k for k, one in zip(seeds, every, strict=True) if one["digits"] <= FINE]
     found = [one for one in every if one["digits"] <= FINE]
@@ -171,7 +173,7 @@ def summed_up(seeds: list[int], every: list[dict[str, Any]]) -> dict[str, Any]:
 
 
 def _astray(one: dict[str, Any]) -> bool:
-    """Modes of a rotor that miss, or that there are none of."""
+    """Missing and spurious modes of a rotor."""
     return bool(one["missing"] or one["spurious"])
 
 
@@ -186,19 +188,21 @@ def _of_sort(rng: Rng, sort: str) -> Spindle:
 
 
 def against_dense(seed: int, sort: str = "dense") -> dict[str, Any]:
-    """One rotor against all eigenvalues of its assembled matrices; a coaxial one of which these
-    have too few digits against its exact shafts."""
+    """One rotor against all eigenvalues of its assembled matrices; a coaxial one for which
+    these have too few digits against its exact shafts."""
     spindle, spin, near = _drawn(seed, sort)
     highest = 2.0 * near / (2.0 * math.pi)
     every = dense_poles(spindle, spin, highest, FINE if sort == "dense" else FINER)
     edge = _edge(np.abs(every), near)
     poles = _swinging(every, edge)
-    digits = [0.0] * len(poles)  # of the same elements: their share of the error is not there
+    digits = [0.0] * len(poles)  # of the same elements: the error of the elements does not count
     known = [math.inf] * len(poles)
     if sort != "dense":
         digits = known = _digits(spindle, spin, highest, poles)
     if sort == "coaxial" and max(digits, default=0.0) > FINE:
-        with suppress(NoSolution):  # poles that Newton's method does not reach stay undecided
+        with suppress(
+            NoSolution
+        ):  # poles to which Newton's method does not converge remain undecided
             return against_exact_shafts(seed, every, edge)
     return _compared(spindle, spin, edge, poles, known) | {"digits": max(digits, default=0.0)}
 
@@ -207,7 +211,7 @@ def against_exact_shafts(
     seed: int, near: Complex | None = None, edge: float = 0.0
 ) -> dict[str, Any]:
     """One coaxial rotor against its exact shafts, whose poles are counted. ``near``: poles to begin
-    with, ``edge`` [rad/s]: of the band; by default as ``against_dense`` has them."""
+    with, ``edge`` [rad/s]: of the band; by default those of ``against_dense``."""
     spindle, spin, lowest = _drawn(seed, "coaxial")
     if near is None:
         near = dense_poles(spindle, spin, 2.0 * lowest / (2.0 * math.pi), FINER)
@@ -233,14 +237,14 @@ def _drawn(seed: int, sort: str) -> tuple[Spindle, float, float]:
 
 
 def _swinging(poles: Complex, edge: float) -> Complex:
-    """Those below ``edge`` [rad/s] that are compared."""
+    """Poles below ``edge`` [rad/s] that are compared."""
     return poles[(np.abs(poles) < edge) & (poles.imag > SWINGING * np.abs(poles))]
 
 
 def _compared(
     spindle: Spindle, spin: float, edge: float, poles: Complex, digits: Sequence[float]
 ) -> dict[str, Any]:
-    """Ours beside all true ``poles`` of the band, each with the error from which on it judges."""
+    """Computed poles and all true ``poles`` of the band, with the errors from which these count."""
     highest = edge / (2.0 * math.pi)
     with warnings.catch_warnings(record=True) as heard:
         warnings.simplefilter("always")
@@ -275,16 +279,16 @@ def _compared(
 
 
 def _digits(spindle: Spindle, spin: float, highest: float, poles: Complex) -> list[float]:
-    """Errors from which on poles of dense matrices can be compared with: ten times as much as
-    those of finer and of coarser elements differ. Rounding moves each by chance, and one may agree
-    in more digits than it has: so the largest difference of a rotor holds for all of its poles."""
+    """Errors above which poles of dense matrices are a reference: ten times the difference
+    between finer and coarser elements. Rounding changes each pole at random, and one may agree in
+    more digits than are correct: so the largest difference applies to all poles of a rotor."""
     others = [dense_poles(spindle, spin, highest, accuracy) for accuracy in OTHERS]
     apart = [max(float(np.abs(each / pole - 1.0).min()) for each in others) for pole in poles]
     return [max(DIGITS, 10.0 * max(apart, default=0.0))] * len(poles)
 
 
 def _plain(spindle: Spindle) -> Spindle:
-    """Of the same rotor the shaft alone, of cylinders, on supports as stiff in z as in y and
+    """The shaft of the same rotor alone, of cylinders, on supports as stiff in z as in y and
     without damping: its lowest modes set the band."""
     own = [s for s in spindle.supports if s.holds == "spindle"]
     supports: list[LinearSupport] = [

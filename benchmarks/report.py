@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""What the page of a run costs:  python -m benchmarks.report
+"""Computing time and size of the page of a run:  python -m benchmarks.report
 
-The flagship is run once; its page is written again and again, each time with plotly.js packed anew,
-which is most of the time. The first page, which loads code, is left out. Then it is opened from
-disk in headless Chromium (playwright; CHROMIUM names another one): time of the page's own thread.
+The flagship is run once; its page is written several times, each time with plotly.js packed again,
+which is most of the time. The first page, which loads code, is not counted. Then it is opened from
+disk in headless Chromium (playwright; CHROMIUM names another one): time of the thread of the page.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ RUNS = 9
 
 
 def measure() -> dict[str, float]:
-    """Median CPU time of writing the page, ``seconds``, its size, ``megabytes``, and what
-    ``opened`` takes."""
+    """Median CPU time of writing the page, ``seconds``, its size, ``megabytes``, and the
+    times of ``opened``."""
     results = rotordyn.run(rotordyn.load(ROOT / "cases" / "mfw2310.yaml"))
     with tempfile.TemporaryDirectory() as folder:
         page = Path(folder) / "page.html"
@@ -43,7 +43,7 @@ def measure() -> dict[str, float]:
 
 def opened(page: Path) -> dict[str, float]:
     """Median seconds of the thread of the page until it is loaded, ``shown``, and until the first
-    charts are drawn, ``drawn``; those further down are drawn when they come into sight."""
+    charts are drawn, ``drawn``; those further down are drawn when they are scrolled into view."""
     from playwright.sync_api import sync_playwright
 
     found = os.environ.get("CHROMIUM") or shutil.which("chromium")

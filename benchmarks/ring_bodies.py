@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Rings that deform, time against error:  python -m benchmarks.ring_bodies
+"""Flexible rings, time against error:  python -m benchmarks.ring_bodies
 
 Outer ring of a bearing of 70 mm bore in a cartridge of 5 mm. The error is the largest of the shifts
 of the groove under equal loads of all balls, at three contact angles, over the largest, against a

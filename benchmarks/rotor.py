@@ -1,4 +1,4 @@
-"""The rotor of the flagship: cost of its FRF map."""
+"""The rotor of the flagship: computing time of its FRF map."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ from rotordyn.preload.state import PreloadState
 from rotordyn.scene.scene import Scene
 
 Array = NDArray[np.float64]
-FEW = 24  # accuracy is judged at every 24th speed: rest, half and top speed
+FEW = 24  # the error is computed at every 24th speed: rest, half and top speed
 
 
 @dataclass(frozen=True, slots=True)
 class Job:
-    """The map that a case asks for, at some of its speeds, with its preload state known."""
+    """The FRF map of a case, at some of its speeds, with known preload state."""
 
     case: Case
     spec: FrfSpec
@@ -33,7 +33,7 @@ class Job:
 
     @classmethod
     def of_flagship(cls, every: int = 1) -> Job:
-        """The flagship at every so many of its speeds."""
+        """The flagship at every n-th of its speeds."""
         case = rotordyn.load(ROOT / "cases" / "mfw2310.yaml")
         spec, spindle = case.analyses["frf"], case.spindle
         if spindle is None or not isinstance(spec, FrfSpec):

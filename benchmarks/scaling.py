@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""How cost grows with a machine and its questions:  python -m benchmarks.scaling [SWEEP …]
+"""Computing time over the size of machine and analyses:  python -m benchmarks.scaling [SWEEP …]
 
-Each sweep enlarges one thing and leaves the rest: sections of a shaft, speeds and frequencies of
+Each sweep enlarges one size and keeps the others: sections of a shaft, speeds and frequencies of
 the flagship, bearings on a shaft, balls of a bearing. Times are the fastest of some calls. Every
-shaft has a process of its own, whose memory is told and whose first call also loads the libraries.
+shaft has a separate process; its memory is reported, and its first call also loads the libraries.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ def fastest(call: Callable[[], Any], runs: int = RUNS) -> float:
     return min(seconds)
 
 
-def answered(
+def results_of(
     spindle: Spindle, conditions: Conditions, speeds: Any, analyses: Mapping[str, Spec]
 ) -> dict[str, Any]:
     """Results of a spindle by name."""
@@ -88,7 +88,7 @@ def one_shaft(sections: int) -> dict[str, Any]:
 
     def call() -> Any:
         asked = {"campbell": CampbellSpec(BAND)}
-        return answered(spindle, Conditions(), (1000.0,), asked)["campbell"]
+        return results_of(spindle, Conditions(), (1000.0,), asked)["campbell"]
 
     begin = time.perf_counter()
     found = call()
@@ -99,7 +99,7 @@ def one_shaft(sections: int) -> dict[str, Any]:
     return {
         "size": sections,
         "modes": len(found.mode),
-        "told": float(np.nanmax(found.frequency_error)),
+        "reported": float(np.nanmax(found.frequency_error)),
         "first": first,
         "seconds": seconds,
         "memory": memory,
@@ -111,13 +111,13 @@ def shafts() -> list[dict[str, Any]]:
     lines = []
     for sections in SECTIONS:
         command = python("-m", "benchmarks.scaling", "--shaft", str(sections))
-        told = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True)
-        lines.append(json.loads(told.stdout))
+        done = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True)
+        lines.append(json.loads(done.stdout))
     return lines
 
 
 def flagship(name: str) -> tuple[Spindle, Conditions, Any]:
-    """The flagship, its conditions, and what its case asks under a name."""
+    """The flagship, its conditions, and the analysis of its case of a name."""
     case = rotordyn.load(ROOT / "cases" / "mfw2310.yaml")
     assert case.spindle is not None, "the flagship is a spindle"
     return case.spindle, case.conditions, case.analyses[name]
@@ -129,7 +129,7 @@ def speeds() -> list[dict[str, Any]]:
     return [
         _line(
             count,
-            answered,
+            results_of,
             spindle,
             conditions,
             np.linspace(0.0, 24000.0, count) * RPM,
@@ -146,7 +146,7 @@ def frequencies() -> list[dict[str, Any]]:
     return [
         _line(
             count,
-            answered,
+            results_of,
             spindle,
             conditions,
             np.linspace(0.0, 24000.0, 7) * RPM,
@@ -157,7 +157,7 @@ def frequencies() -> list[dict[str, Any]]:
 
 
 def bearing(balls: int) -> AngularContactBallBearing:
-    """A ring as full with any number of balls of 9.525 mm."""
+    """A ring of the same filling with any number of balls of 9.525 mm."""
     size = 9.525e-3
     pitch = 1.16 * size / math.sin(math.pi / balls)
     return AngularContactBallBearing(
@@ -193,7 +193,7 @@ def bearings() -> list[dict[str, Any]]:
     turning = np.linspace(0.0, 20000.0, 25) * RPM
     asked: dict[str, Spec] = {"preload": PreloadSpec(), "campbell": CampbellSpec(BAND)}
     return [
-        _line(count, answered, on_bearings(count), Conditions(), turning, asked)
+        _line(count, results_of, on_bearings(count), Conditions(), turning, asked)
         for count in BEARINGS
     ]
 
@@ -232,7 +232,7 @@ SWEEPS: dict[str, Callable[[], list[dict[str, Any]]]] = {
 
 
 def main() -> None:
-    """Measure the sweeps named, all by default, and keep them."""
+    """Measure the named sweeps, all by default, and keep the results."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("sweeps", nargs="*", metavar="SWEEP", help=", ".join(SWEEPS))
     parser.add_argument("--shaft", type=int, help=argparse.SUPPRESS)

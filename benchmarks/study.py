@@ -3,10 +3,10 @@
 
 Variants of the flagship by Latin hypercube: preloads, stiffness of the springs, travel of the stop,
 diameter of the shaft between the bearings. Of each the preload state and the Campbell diagram at 13
-speeds; what ``rotordyn.sweep`` takes for all of them, its processes included.
+speeds; the time of ``rotordyn.sweep`` for all of them, its processes included.
 
-``--beside``: in turn with the tree of the time on record, so that the pace of the machine does not
-count; what is kept is the ratio of both.
+``--beside``: alternating with the version of the recorded time, so that the speed of the machine
+does not matter; the ratio of both is kept.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from rotordyn.numerics.threads import processors
 
 SPEEDS = np.linspace(0.0, 24000.0, 13) * math.pi / 30.0
 COUNT = 1000
-# Dotted path -> bounds of the factor on what the flagship has.
+# Dotted path -> bounds of the factor on the value of the flagship.
 CHANGES = {
     "spindle.sleeves.front.spring.preload": (0.5, 2.0),
     "spindle.sleeves.front.spring.stiffness": (0.5, 2.0),
@@ -49,7 +49,7 @@ def machine() -> Case:
 
 
 def spans(case: Case) -> dict[str, rotordyn.Span]:
-    """What is varied."""
+    """The varied values."""
     assert case.spindle is not None, "the flagship is a spindle"
     widest = max(case.spindle.shaft.sections, key=lambda section: section.length)
     factors = {**CHANGES, f"spindle.shaft.sections.{widest.name}.outer_diameter": (0.97, 1.03)}
@@ -78,16 +78,16 @@ def measure(count: int, workers: int) -> dict[str, object]:
 
 
 def _in_its_own_process(tree: Path, count: int, workers: int) -> float:
-    """Seconds that the study takes by the sources of a tree."""
+    """Seconds of the study with the sources of a tree."""
     code = f"from benchmarks.study import measure; print(measure({count}, {workers})['seconds'])"
     environment = {**os.environ, "PYTHONPATH": str(tree)}
     command = [sys.executable, "-c", code]
-    told = subprocess.check_output(command, cwd=tree, env=environment, text=True)
-    return float(told.splitlines()[-1])
+    done = subprocess.check_output(command, cwd=tree, env=environment, text=True)
+    return float(done.splitlines()[-1])
 
 
 def beside(tree: Path, count: int, workers: int, pairs: int = 3) -> dict[str, object]:
-    """Of pairs of runs, here and by the other tree, the ratio of their times."""
+    """Ratio of the times of pairs of runs, with this tree and with the other one."""
     trees = ROOT, tree
     times = [[_in_its_own_process(each, count, workers) for each in trees] for _ in range(pairs)]
     ratios = sorted(here / there for here, there in times)
@@ -98,7 +98,7 @@ def beside(tree: Path, count: int, workers: int, pairs: int = 3) -> dict[str, ob
 
 
 def main() -> None:
-    """Measure and keep."""
+    """Measure and keep the results."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--count", type=int, default=COUNT)
     parser.add_argument("--workers", type=int, default=processors())

@@ -1,8 +1,8 @@
 """Time against true error of two sweeps of the flagship: its preload states and its FRF map.
 
-The map is judged by the exact shaft, over its own largest value; the preload states, all 49, by
-those of a tolerance of 10⁻¹³, in axial shifts over the largest one. Times are the fastest of some
-runs, those of the map with the bearings known.
+The map is compared with that of the exact shaft, over its largest value; the 49 preload states with
+those of a tolerance of 10⁻¹³, by axial shifts over the largest one. Times are the fastest of some
+runs, those of the map with known bearing states.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ def measure_sweeps() -> dict[str, list[dict[str, Any]]]:
 
 
 def preload_lines() -> list[dict[str, Any]]:
-    """By the tolerance of the balance of forces."""
+    """By the tolerance of the force equilibrium."""
     case = rotordyn.load(ROOT / "cases" / "mfw2310.yaml")
     assert case.spindle is not None
 
@@ -60,7 +60,7 @@ def preload_lines() -> list[dict[str, Any]]:
 
 
 def map_lines() -> list[dict[str, Any]]:
-    """By the accuracy asked for, and by the length of standard elements."""
+    """By the requested accuracy, and by the length of standard elements."""
     machine = Machine.of_case("mfw2310", "", 4000.0)
     truth = exact_receptance(machine.scene(), ((POINT, POINT),), np.array(FREQUENCIES))
     length = machine.spindle.shaft.end - machine.spindle.shaft.start
@@ -70,9 +70,9 @@ def map_lines() -> list[dict[str, Any]]:
     for way, setting, conditions in asked:
         runs = [_map(machine, conditions) for _ in range(RUNS)]
         error = float(np.abs(runs[0][1] - truth).max() / np.abs(truth).max())
-        best, told = min(r[0] for r in runs), runs[0][2]
+        best, reported = min(r[0] for r in runs), runs[0][2]
         lines.append(
-            {"way": way, "setting": setting, "seconds": best, "error": error, "told": told}
+            {"way": way, "setting": setting, "seconds": best, "error": error, "reported": reported}
         )
     return lines
 
@@ -80,7 +80,7 @@ def map_lines() -> list[dict[str, Any]]:
 def _map(
     machine: Machine, conditions: dict[str, Any]
 ) -> tuple[float, NDArray[np.complex128], float]:
-    """Seconds, receptances (speeds, 1, frequencies) and the error that is told."""
+    """Seconds, receptances (speeds, 1, frequencies) and the reported error."""
     asked = FrfSpec(FREQUENCIES, ((POINT, POINT),))
     scene = machine.scene(**conditions)
     scene.ports = (machine.spindle.points[POINT.point],)

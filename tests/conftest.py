@@ -12,7 +12,7 @@ from hypothesis import HealthCheck, settings
 
 from rotordyn.figures import style
 
-# Duration says nothing about correctness: no deadline, no complaint about a slow machine.
+# Duration is no measure of correctness: no deadline, no failure on a slow machine.
 _UNHURRIED = settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.register_profile("explore", _UNHURRIED)
 settings.register_profile("ci", _UNHURRIED, derandomize=True, print_blob=True)

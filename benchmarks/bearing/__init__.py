@@ -1,1 +1,1 @@
-"""What solving one bearing costs, and what accuracy costs there; see ``docs/benchmarks.md``."""
+"""Computing time and accuracy of the solution of one bearing; see ``docs/benchmarks.md``."""

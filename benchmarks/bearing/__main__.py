@@ -1,7 +1,7 @@
 """One bearing, on one core:  python -m benchmarks.bearing [--repeats N] [--states N] [--bearings N]
 
-Speed beside SciPy, first calls, the five methods of Noël's Tab. 2.3, error against time. What they
-come to is written into ``benchmarks/results.json``; a few minutes.
+Speed compared with SciPy, first calls, the five methods of Noël's Tab. 2.3, error against time. The
+results are written into ``benchmarks/results.json``; a few minutes.
 """
 
 from __future__ import annotations
@@ -14,16 +14,16 @@ ONE_THREAD = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 
 
 def main() -> None:
-    """Measure and keep the outcome."""
+    """Measure and keep the results."""
     parser = argparse.ArgumentParser(
         prog="python -m benchmarks.bearing",
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("--repeats", type=int, default=9, help="runs of which the fastest counts")
+    parser.add_argument("--repeats", type=int, default=9, help="runs of which the fastest is taken")
     parser.add_argument("--states", type=int, default=1000, help="states of a sweep and of a batch")
     parser.add_argument(
-        "--bearings", type=int, default=24, help="bearings that strides are tried on"
+        "--bearings", type=int, default=24, help="bearings on which path steps are tried"
     )
     asked = parser.parse_args()
     os.environ.update(dict.fromkeys(ONE_THREAD, "1"))  # before numpy is imported
@@ -38,8 +38,8 @@ def measured(repeats: int, states: int, bearings: int) -> dict[str, Any]:
     from benchmarks.bearing.first_call import measure_first_call
     from benchmarks.bearing.hertz_fits import measure_hertz
     from benchmarks.bearing.methods import measure_methods
+    from benchmarks.bearing.path_steps import measure_path_steps
     from benchmarks.bearing.speed import lost_from_unloaded, measure_speed
-    from benchmarks.bearing.strides import measure_strides
     from benchmarks.bearing.tolerance import measure_tolerance
 
     return {
@@ -49,7 +49,7 @@ def measured(repeats: int, states: int, bearings: int) -> dict[str, Any]:
         "lost_from_unloaded": lost_from_unloaded(),
         "methods": measure_methods(repeats=repeats),
         "tolerance": measure_tolerance(repeats=repeats),
-        "strides": measure_strides(bearings),
+        "path_steps": measure_path_steps(bearings),
         "hertz": measure_hertz(repeats),
     }
 

@@ -1,4 +1,4 @@
-"""What the first call of a process costs: nothing kept, kept on disk, and without compiling."""
+"""Time of the first call of a process: empty cache, cache on disk, without compiling."""
 
 from __future__ import annotations
 
@@ -32,13 +32,13 @@ PLAIN = "VEX70.equilibrium(displacement=d, speed=2500.0, compiled=False)"
 
 
 def measure_first_call(repeats: int = 3) -> list[dict[str, Any]]:
-    """Seconds of the import of ``bearings``, of the first call and of the same once more."""
+    """Seconds of the import of ``bearings``, of the first call and of a second one."""
     with tempfile.TemporaryDirectory() as kept:
         compiling = _run(FOLLOWED, kept)
         loading = [_run(FOLLOWED, kept) for _ in range(repeats)]
         plain = [_run(PLAIN, kept) for _ in range(repeats)]
     return [
-        {"what": "`Follower.load`, nothing kept: numba imported, all compiled", **compiling},
+        {"what": "`Follower.load`, empty cache: numba imported, all compiled", **compiling},
         {"what": "`Follower.load`, compiled by an earlier process", **_least(loading)},
         {"what": "`equilibrium` in numpy", **_least(plain)},
     ]

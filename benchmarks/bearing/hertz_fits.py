@@ -1,4 +1,4 @@
-"""Exact elliptic integrals against the usual fits: k, and what it does to load and K.
+"""Exact elliptic integrals against the usual fits: k, and its effect on load and K.
 
 Curvature radii Ry/Rx of the contact give the ellipticity κ and the integrals K, E by
 
@@ -6,7 +6,7 @@ Curvature radii Ry/Rx of the contact give the ellipticity κ and the integrals K
   1.0003 + 0.5968/r;
 - Hamrock & Brewe, J. Lubr. Technol. 105 (1983) 171: r^(2/π), π/2 + q ln r, 1 + q/r, q = π/2 − 1.
 
-The truth is mpmath's with 30 digits.
+The reference is that of mpmath with 30 digits.
 """
 
 from __future__ import annotations
@@ -126,7 +126,7 @@ def _truth(total: float, part: float, c: float) -> float:
 
 @contextmanager
 def contacts(solve: Solve) -> Iterator[None]:
-    """Bearings described inside have contacts by ``solve``."""
+    """Bearings described within the context have contacts by ``solve``."""
     geometry.cache_clear()
     try:
         with mock.patch("bearings.geometry.contact", solve):

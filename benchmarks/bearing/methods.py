@@ -1,4 +1,4 @@
-"""The five ways to solve a bearing and to take its K that Noël (2013), Tab. 2.3, compares."""
+"""The five ways to solve a bearing and to compute its K that Noël (2013), Tab. 2.3, compares."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ COPIES = 200  # states of a batch
 
 
 def measure_methods(copies: int = COPIES, repeats: int = 7) -> list[dict[str, Any]]:
-    """µs per state of each: one state and a batch in numpy, one compiled; how far its K is off."""
+    """µs per state of each: one state and a batch in numpy, one compiled; the error of its K."""
     bearing = VEX70
     with solver(compiled=False):
         shift = bearing.equilibrium(load=LOAD, speed=SPEED).displacement

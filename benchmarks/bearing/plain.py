@@ -1,7 +1,7 @@
-"""The equations of a bearing as one writes them down, handed to ``scipy.optimize`` as they are.
+"""The plain equations of a bearing, solved by ``scipy.optimize`` without changes.
 
 Four unknowns a ball (X1, X2, δi, δo) in µm, forces in hundreds of newtons; hybrid kinematics,
-moment shared equally. What a careful user would write: plain numbers per ball, numpy where all
+moment shared equally. As a careful user would write them: plain numbers per ball, numpy where all
 balls are solved together, no Jacobian, differences for K.
 """
 
@@ -112,7 +112,7 @@ class PlainBearing:
         return load, np.array(columns).T
 
     def displacement_nested(self, load: Array, d: Array, start: Array) -> tuple[Array, Array]:
-        """Displacement and balls under a load: five unknowns outside, four a ball inside."""
+        """Displacement and balls under a load: nested solutions of five and of four unknowns."""
         unit = MICROMETRE / np.array([1.0, 1.0, 1.0, self.radius, self.radius])
         lever = np.array([1.0, 1.0, 1.0, self.radius, self.radius])
         balls = start

@@ -1,4 +1,4 @@
-"""Load and K of a state in the plain equations, in extended precision where the machine has it."""
+"""Load and K of a state by the plain equations, in extended precision where available."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ class Reference:
         return self.plain.ring_load(self.plain.ball(u, a1, a2)[1]), u
 
     def _jacobian(self, u: Array, a1: Array, a2: Array) -> Any:
-        """(balls, 4, 4) by differences: near enough for steps that need not be Newton's."""
+        """(balls, 4, 4) by differences: accurate enough for a simplified Newton iteration."""
         columns = []
         for step in 1e-4 * np.eye(4)[:, :, None]:
             up, down = (np.array(self.plain.ball(v, a1, a2)[0]) for v in (u + step, u - step))
@@ -62,5 +62,5 @@ class Reference:
 
 
 def largest(difference: Array, whole: Array, lever: Array) -> float:
-    """Largest entry over the largest, all freedoms made alike by ``lever`` (5,)."""
+    """Largest entry over the largest, all DOF scaled to lengths by ``lever`` (5,)."""
     return float(np.abs(difference * lever).max() / np.abs(whole * lever).max())

@@ -1,4 +1,4 @@
-"""Every way to ask for a bearing's state, ours and SciPy's, beside a reference in more digits."""
+"""All ways to compute a bearing's state, here and by SciPy, against a reference of more digits."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ ONE_LOAD, ONE_SHIFT, SWEEP, BATCH = (
 
 @dataclass(frozen=True)
 class Way:
-    """``work`` asks and returns what it found; ``target`` [µs] per state or per ball."""
+    """``work`` computes and returns the result; ``target`` [µs] per state or per ball."""
 
     task: str
     name: str
@@ -68,7 +68,7 @@ class Subject:
 
     @cached_property
     def lever(self) -> Array:
-        """What makes forces of moments."""
+        """Lever that converts moments to forces."""
         return np.array([1.0, 1.0, 1.0, *[1.0 / self.plain.radius] * 2])
 
     @cached_property
@@ -79,18 +79,18 @@ class Subject:
 
 
 def measure_speed(count: int = 1000, repeats: int = 7) -> list[dict[str, Any]]:
-    """µs per state and per ball, errors of what was asked and of K, and targets."""
+    """µs per state and per ball, errors of load or displacement and of K, and targets."""
     subject = Subject(count)
     lines = []
     for way in [*_single(subject), *_many(subject), *_scipy(subject)]:
         seconds = fastest(way.work, repeats)
-        lines.append({**_told(way, subject, seconds), **_errors(way, subject)})
+        lines.append({**_line(way, subject, seconds), **_errors(way, subject)})
     order = (ONE_LOAD, ONE_SHIFT, SWEEP, BATCH)
     return sorted(lines, key=lambda line: order.index(line["task"]))
 
 
 def lost_from_unloaded() -> int:
-    """Balls on which ``fsolve`` started from the unloaded geometry does not end where they are."""
+    """Balls for which ``fsolve`` from the unloaded geometry does not converge to the true state."""
     subject = Subject(1)
     plain, here = subject.plain, subject.here
     found = plain.settled(here.displacement, plain.unloaded())[1]
@@ -98,7 +98,7 @@ def lost_from_unloaded() -> int:
     return int((np.abs(found - known).max(axis=1) > APART).sum())
 
 
-def _told(way: Way, subject: Subject, seconds: float) -> dict[str, Any]:
+def _line(way: Way, subject: Subject, seconds: float) -> dict[str, Any]:
     each = 1e6 * seconds / len(way.states.load)
     limit, unit = way.target or (None, None)
     return {
@@ -124,7 +124,7 @@ def _asked(subject: Subject, *, by_load: bool, compiled: bool, warm: bool) -> An
 
 
 def _single(subject: Subject) -> Iterator[Way]:
-    """One state; the followers go to and fro between two neighbours, half of a pair is a state."""
+    """One state; followers alternate between two neighbouring states, half of a pair is a state."""
     follower, here, near = (
         Follower(subject.bearing, speed=SPEED),
         subject.here.displacement,
@@ -210,7 +210,7 @@ def _batched(
 
 
 def _scipy(subject: Subject) -> Iterator[Way]:
-    """The plain equations, every start the known state of the neighbour: the kindest there is."""
+    """The plain equations, every start the known neighbouring state, which favours SciPy."""
     plain, start, one = subject.plain, subject.start, subject.one
     here, near = subject.here.displacement, subject.near.displacement
 
@@ -236,7 +236,7 @@ def _scipy(subject: Subject) -> Iterator[Way]:
 
 
 def _errors(way: Way, subject: Subject) -> dict[str, Any]:
-    """Largest relative errors over some of the states: of what was asked for, and of K."""
+    """Largest relative errors over some of the states: of load or displacement, and of K."""
     load, shift, k = way.work()
     load, shift = np.atleast_2d(load), np.atleast_2d(shift)
     k = None if k is None else k.reshape(-1, 5, 5)
@@ -251,7 +251,7 @@ def _errors(way: Way, subject: Subject) -> dict[str, Any]:
 def _missed(
     way: Way, subject: Subject, i: int, load: Array, shift: Array, k: Array | None
 ) -> tuple[float, float]:
-    """Of one state, whose own K and ball centres are taken anew for the reference to start from."""
+    """Errors of one state; the reference starts from its K and ball centres, computed again."""
     given_load, given_shift, speeds = (part[i] for part in _parts(way.states))
     speed, lever = float(speeds), subject.lever
     with solver(compiled=False):

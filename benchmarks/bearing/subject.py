@@ -23,14 +23,14 @@ LOAD = np.array([1200.0, 0.0, 900.0, 5.0, 0.0])  # Noël (2013), 3.3.1
 
 @contextmanager
 def solver(*, compiled: bool) -> Iterator[None]:
-    """Every solve inside, also those that a solve asks for, is compiled or is not."""
+    """Every solution within the context, nested ones included, is compiled or is not."""
     with mock.patch("bearings.ring.request._compiled", return_value=compiled):
         yield
 
 
 @dataclass(frozen=True, slots=True)
 class States:
-    """Loads and displacements that belong together (s, 5) and speeds (s,)."""
+    """Loads and the displacements under them (s, 5) and speeds (s,)."""
 
     load: Array
     displacement: Array
@@ -38,7 +38,7 @@ class States:
 
     @classmethod
     def of_loads(cls, load: Array, speed: Array) -> States:
-        """Those that exist."""
+        """Those with a solution."""
         with solver(compiled=False):
             found = VEX70.equilibrium(load=load, speed=speed)
         kept = found.outcome == ""

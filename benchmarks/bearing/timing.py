@@ -10,7 +10,7 @@ LEAST = 2e-3  # s that one run takes at least, by calling more often
 
 
 def fastest(work: Callable[[], Any], repeats: int) -> float:
-    """Seconds of one call: the fastest of ``repeats`` runs, after one that does not count."""
+    """Seconds of one call: the fastest of ``repeats`` runs, after one that is not counted."""
     begin = time.perf_counter()
     work()
     once = time.perf_counter() - begin

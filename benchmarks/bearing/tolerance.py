@@ -1,4 +1,4 @@
-"""Where Newton stops: time against the error of displacement and K, states asked for by load."""
+"""Tolerance of Newton's method: time against the error of displacement and K, for given loads."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ JUDGED = 20
 
 @contextmanager
 def tolerance(asked: float) -> Iterator[None]:
-    """Newton stops at ``asked``, on the way not before it does by itself."""
+    """Newton's method stops at the tolerance ``asked``, along the path at its default or above."""
     path = max(asked, ON_THE_WAY)
     with (
         solver(compiled=False),

@@ -1,1 +1,1 @@
-"""The same work side by side with an open peer:  python -m benchmarks.peer --python PATH"""
+"""The same work here and in an open library, the peer:  python -m benchmarks.peer --python PATH"""

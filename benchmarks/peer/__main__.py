@@ -1,8 +1,8 @@
-"""The same work side by side with ROSS:  python -m benchmarks.peer [--python PATH] [--repeats N]
+"""The same work here and in ROSS:  python -m benchmarks.peer [--python PATH] [--repeats N]
 
 PATH: an interpreter that has the extra ``peer`` of this project; this one if none is given. Both
-sides run in processes of their own, first on one thread, then on two; on two the peer is asked for
-a sample only. Written into ``benchmarks/results.json``, and from it into ``docs/benchmarks.md``.
+sides run in separate processes, first with one thread, then with two; with two the peer computes a
+sample only. Written into ``benchmarks/results.json``, and from it into ``docs/benchmarks.md``.
 """
 
 from __future__ import annotations
@@ -30,12 +30,12 @@ THREADS = (1, 2)
 PROCESSES = 3  # of which the median is taken
 IMPORTS = {
     "import rotordyn": "import rotordyn",
-    "import rotordyn, all that runs need": "from benchmarks.peer import cases, ours",
+    "import rotordyn, with all modules that a run needs": "from benchmarks.peer import cases, ours",
 }
 
 
 def threads(number: int) -> dict[str, str]:
-    """What keeps a process to so many threads."""
+    """Environment that limits a process to so many threads."""
     return {f"{pool}_NUM_THREADS": str(number) for pool in POOLS}
 
 
@@ -82,7 +82,7 @@ def _run(command: Sequence[str], number: int) -> None:
 
 
 def _errors(results: Path) -> dict[str, Any]:
-    """By kind of bearings; the peer's results are read from ``results``."""
+    """By kind of bearings; results of the peer are read from ``results``."""
     import numpy as np
 
     from benchmarks.peer.judged import judged
@@ -127,7 +127,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m benchmarks.peer", description=__doc__)
     parser.add_argument("--python", default=sys.executable, help="interpreter that has the peer")
     parser.add_argument(
-        "--repeats", type=int, default=9, help="of ours, of which a median is taken"
+        "--repeats", type=int, default=9, help="of rotordyn, of which a median is taken"
     )
     asked = parser.parse_args()
     if not _has_peer(asked.python):

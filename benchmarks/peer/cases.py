@@ -1,4 +1,4 @@
-"""The works of the comparison as cases of ours."""
+"""The works of the comparison as cases of rotordyn."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ INPUT = Port("input", "y")
 
 
 def settings(work: str) -> dict[str, Conditions]:
-    """Ways of ours to do a work, by name."""
+    """Settings of rotordyn for a work, by name."""
     return {name: own for name, own in SETTINGS.items() if own in ASKED[work]}
 
 
@@ -51,7 +51,7 @@ def case(
     speeds: tuple[float, ...] | None = None,
     frequencies: tuple[float, ...] = machine.FREQUENCIES,
 ) -> Case:
-    """One of the works on bearings of a ``kind``; its own speeds [rad/s] if none are given."""
+    """One of the works on bearings of a ``kind``; speeds [rad/s] of the work if none are given."""
     own: tuple[float, ...] = {CAMPBELL: machine.SPEEDS, MAP: machine.MAP_SPEEDS}.get(
         work, (machine.SPEED,)
     )

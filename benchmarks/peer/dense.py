@@ -83,11 +83,11 @@ def of_ours(spindle: Spindle, accuracy: float | None, highest: float, spin: floa
 
 
 def of_theirs(arrays: dict[str, Array], freedoms: tuple[int, ...]) -> Dense:
-    """The peer's own matrices; ``freedoms`` of its nodes bend, and nothing couples them to others.
+    """The matrices of the peer; ``freedoms``: bending DOF of its nodes, not coupled to others.
 
     Raises
     ------
-    ValueError : something does
+    ValueError : something couples them
     """
     rows = (6 * np.arange(machine.NODES)[:, None] + np.array(freedoms)).ravel()
     others = np.setdiff1d(np.arange(6 * machine.NODES), rows)

@@ -1,4 +1,4 @@
-"""Errors of both sides: against the exact shaft, and against their own matrices solved densely."""
+"""Errors of both sides: against the exact shaft, and against dense solutions of their matrices."""
 
 from __future__ import annotations
 
@@ -28,15 +28,15 @@ from tests.oracles.exact_shaft.bending import exact_poles, exact_receptance
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-FREEDOMS = (0, 1, 3, 4)  # of the peer's node: our ``machine.MOTIONS``
-MATCHED = 1e-2  # relative: a mode farther from all others is another one
+FREEDOMS = (0, 1, 3, 4)  # of a node of the peer: ``machine.MOTIONS`` here
+MATCHED = 1e-2  # relative: a mode farther from all others has no partner
 RESPONSES = (RESPONSE, ALL)
 SPEEDS = machine.SPEEDS[machine.JUDGED]
 SAMPLE = machine.FREQUENCIES[machine.SAMPLE]
 
 
 def judged(kind: str, theirs: dict[str, Array]) -> dict[str, Any]:
-    """Errors of the works, by setting of ours and of the ``peer``."""
+    """Errors of the works, by setting of rotordyn and of the ``peer``."""
     truth: dict[str, Any] = {CAMPBELL: [own[: machine.MODES] for own in exact_modes(kind)]}
     truth |= {work: exact_response(work, kind) for work in RESPONSES}
     peer, column = of_theirs(theirs, FREEDOMS), theirs["response"]
@@ -69,13 +69,13 @@ def _ours(kind: str, setting: Conditions, truth: dict[str, Any]) -> dict[str, An
 
 def our_modes(kind: str, setting: Conditions, speeds: tuple[float, ...] = SPEEDS) -> list[Complex]:
     """Poles of all modes of the band at every speed, by frequency; the last speed is the highest
-    of the work, so that the elements are its own."""
+    of the work, so that the elements are those of the work."""
     found = rotordyn.run(case(CAMPBELL, kind, setting, speeds))["campbell"]
     return [_by_frequency(row) for row in _poles(found)]
 
 
 def exact_modes(kind: str) -> list[Complex]:
-    """The same of the exact shaft; axial motion and torsion by elements of an accuracy of 1e-8."""
+    """Poles of the exact shaft; axial motion and torsion by elements of an accuracy of 1e-8."""
     found = rotordyn.run(case(CAMPBELL, kind, FINE, SPEEDS))["campbell"]
     others = _poles(found)[:, found["kind"].to_numpy() != "bending"]
     bending = exact_poles(_scene(CAMPBELL, kind, SPEEDS, machine.BAND), 1.1 * machine.BAND)
@@ -84,7 +84,7 @@ def exact_modes(kind: str) -> list[Complex]:
 
 
 def exact_response(work: str, kind: str) -> Complex:
-    """As ``our_response``, of the exact shaft."""
+    """As ``our_response``, for the exact shaft."""
     scene = _scene(work, kind, (machine.SPEED,), SAMPLE[-1])
     return _by_node(work, exact_receptance(scene, pairs(work), np.array(SAMPLE))[0].T)
 

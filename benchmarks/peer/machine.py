@@ -1,6 +1,6 @@
 """The machine of the comparison, as numbers that both sides read (SI); no library is imported.
 
-A stepped spindle rotor of 0.6 m in 60 equal elements on five linear bearings. Our axes: x along
+A stepped spindle rotor of 0.6 m in 60 equal elements on five linear bearings. Axes: x along
 the shaft, y and z across it.
 """
 
@@ -24,12 +24,12 @@ NODES = sum(count for count, _, _ in SECTIONS) + 1
 STATIONS = tuple(round(ELEMENT * node, 9) for node in range(NODES))
 
 SPEEDS = tuple(500.0 * (step + 1) * RPM for step in range(49))
-JUDGED = slice(None, None, 12)  # of the speeds: where errors are looked at
+JUDGED = slice(None, None, 12)  # of the speeds: where errors are computed
 MODES, BAND = 12, 5000.0  # modes at every speed, and a frequency above them [Hz]
 INPUT = 0  # node where a force acts, along y
 SPEED = 12000.0 * RPM  # of the single response
 FREQUENCIES = tuple(2.0 * (k + 1) for k in range(2000))  # Hz
-SAMPLE = slice(39, None, 40)  # of the frequencies: where errors are looked at, and the peer asked
+SAMPLE = slice(39, None, 40)  # of the frequencies: where errors are computed, and the peer is timed
 MAP_SPEEDS = SPEEDS[::2]
 MOTIONS = ("y", "z", "thy", "thz")  # of every node, whose response is compared
 

@@ -1,7 +1,7 @@
-"""Our side of the comparison, in a process of its own so that it has its own threads.
+"""The side of rotordyn in the comparison, in a separate process with its own threads.
 
 ``python -m benchmarks.peer.ours FOLDER REPEATS`` writes times into FOLDER; with ``--once WORK
-KIND`` it answers one case and ends, as a script of a user would.
+KIND`` it computes one case and ends, as a script of a user would.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ LINES = 8  # of a profile
 def measured(repeats: int) -> list[dict[str, Any]]:
     """A line per work, kind of bearings and setting: seconds of ``rotordyn.run`` on a case.
 
-    The works take turns, so that a machine whose speed varies favours none.
+    The works take turns, so that a varying speed of the machine favours none.
     """
     lines = [
         {"work": work, "kind": kind, "setting": setting}
@@ -51,7 +51,7 @@ def seconds(work: Callable[[], Any]) -> float:
 
 
 def profile(work: str, kind: str) -> str:
-    """Where the time of ``rotordyn.run`` goes, the most expensive functions by their own time."""
+    """Where the time of ``rotordyn.run`` is spent: functions with most time of their own."""
     asked = case(work, kind)
     rotordyn.run(asked)
     with cProfile.Profile() as kept:
@@ -67,7 +67,7 @@ def profile(work: str, kind: str) -> str:
 
 
 def main() -> None:
-    """Answer one case, show where the time goes, or measure all works."""
+    """Compute one case, show where the time is spent, or measure all works."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder", nargs="?", type=Path)
     parser.add_argument("repeats", nargs="?", type=int, default=9)

@@ -1,10 +1,10 @@
-"""The peer's side, run by the interpreter that has it; it knows nothing of ours but the numbers.
+"""The side of the peer, run by its interpreter; it shares only the numbers of the machine.
 
 ``python -m benchmarks.peer.theirs FOLDER REPEATS [--sample]`` writes times (``theirs.json``) and
-results (``theirs.npz``) into FOLDER; ``--sample`` asks for few speeds and frequencies, times only.
-Its axes (x, y across, z along) are ours (y, z, x). A modal analysis is remembered by the rotor, so
-every repeat has a new one. Its FRF turns the shaft at the frequency of the force
-(``run_freq_response``); at one speed the transfer matrix is asked for, frequency by frequency.
+results (``theirs.npz``) into FOLDER; ``--sample`` takes few speeds and frequencies, times only.
+Axes x, y (across) and z (along) of the peer are y, z and x of rotordyn. The rotor keeps a modal
+analysis, so every repeat has a new rotor. The FRF of the peer rotates the shaft at the frequency of
+the force (``run_freq_response``); at one speed the transfer matrix is computed per frequency.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from benchmarks.peer import machine  # noqa: E402
 LIBRARIES = ("ross-rotordynamics", "numpy", "scipy", "plotly", "pint")
 FEW_SPEEDS, FEW_FREQUENCIES, SYNCHRONOUS = 3, 10, 5
 AXES = {"y": "x", "z": "y", "x": "z"}
-FREEDOMS = (0, 1, 3, 4)  # x, y, α, β of a node: our y, z, thy, thz
+FREEDOMS = (0, 1, 3, 4)  # x, y, α, β of a node: y, z, thy, thz of rotordyn
 
 
 def rotor(kind):
@@ -74,7 +74,7 @@ def response(kind, frequencies):
 
 
 def synchronous(kind, frequencies):
-    """Seconds per frequency of its own FRF, the speed following the frequency."""
+    """Seconds per frequency of the FRF of the peer, with the speed equal to the frequency."""
     omega = 2.0 * math.pi * np.array(frequencies)
     fresh, begin = rotor(kind), time.perf_counter()
     fresh.run_freq_response(speed_range=omega)
@@ -109,7 +109,7 @@ def measured(kind, repeats, few):
 
 
 def main():
-    """Measure all works and write what was found."""
+    """Measure all works and write the results."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder", type=Path)
     parser.add_argument("repeats", type=int)

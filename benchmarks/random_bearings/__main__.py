@@ -1,10 +1,10 @@
-"""Random bearings far into the uncommon:  python -m benchmarks.random_bearings
+"""Random bearings, extreme ones included:  python -m benchmarks.random_bearings
 
 ``--balls N`` single balls, ``--bearings N`` bearing states, ``--paths N`` refused and as many
 solved balls (a third as many bearings) followed by pseudo-arclength, ``--endings N`` refusals
-whose speed is compared with a scan, ``--starts N`` states solved from elsewhere, ``--sweeps N``.
-What each part comes to is written into ``benchmarks/results.json`` when it is done; ``--only``
-names the parts that are looked at.
+whose speed is compared with a scan, ``--starts N`` states solved from other starts, ``--sweeps N``.
+The results of each part are written into ``benchmarks/results.json`` when it is done; ``--only``
+names the parts.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ PARTS = (
 
 
 def main() -> None:
-    """Survey and keep the outcome."""
+    """Survey and keep the results."""
     parser = argparse.ArgumentParser(
         prog="python -m benchmarks.random_bearings",
         description=__doc__,

@@ -29,8 +29,8 @@ def draw_balls(number: int, count: int = EACH) -> tuple[Drawn, Array, Array]:
 
 
 def solve_balls(drawn: Drawn, centre: Array, speed: Array) -> BearingState:
-    """Through the public door: an axial displacement and a growth put the groove where it is
-    wanted, and of a ring whose balls are all alike one ball is solved."""
+    """By the public interface: an axial displacement and a growth put the groove at its position;
+    all balls of the ring are alike, and one of them is solved."""
     b, free = drawn.bearing, drawn.equations.li + drawn.equations.lo
     d = np.zeros((speed.size, 5))
     d[:, 0] = centre[0] - free * np.sin(b.contact_angle)
@@ -39,7 +39,7 @@ def solve_balls(drawn: Drawn, centre: Array, speed: Array) -> BearingState:
 
 
 def survey_balls(count: int) -> dict[str, Any]:
-    """What ``count`` balls come to."""
+    """Results of ``count`` balls."""
     tally: Counter[str] = Counter()
     plain = {name: Counter() for name in ("signed", "unsigned")}
     worst, solving, newton = np.zeros(2), 0.0, dict.fromkeys(plain, 0.0)
@@ -67,7 +67,7 @@ def survey_balls(count: int) -> dict[str, Any]:
 
 
 def _judged(tally: Counter[str], drawn: Drawn, centre: Array, state: BearingState) -> Array:
-    """Counts; the largest scaled force that is left over and the largest gap."""
+    """Counts; the largest scaled residual force and the largest gap."""
     balls, good = drawn.equations, state.outcome == ""
     tally["states"] += good.size
     for word, times in zip(*np.unique(state.outcome, return_counts=True), strict=True):
@@ -91,7 +91,7 @@ def _judged(tally: Counter[str], drawn: Drawn, centre: Array, state: BearingStat
 
 
 def _compared(balls: Balls, state: BearingState, u: Array, done: NDArray[np.bool_]) -> Counter[str]:
-    """What the plain iteration finds where a physical state of a loaded or lost ball exists."""
+    """Results of the plain iteration where a physical state of a loaded or lost ball exists."""
     status = state.status[:, 0]
     known = (state.outcome == "") & (status != "unloaded") & (state.speed > 0.0)
     lost = status[known] == "lost contact"

@@ -1,4 +1,4 @@
-"""The speed that a refusal tells against a fine scan of all speeds below the one asked for."""
+"""The speed reported with a refusal, against a fine scan of all speeds below the requested one."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from benchmarks.random_bearings.rings import draw_states
 FINE = 1000  # speeds
 EACH = 2  # refusals of a bearing
 MOST_BALLS = 30
-RARE = 4  # of the bearings with hybrid and outer kinematics one in four is looked at
+RARE = 4  # one in four of the bearings with hybrid and outer kinematics is checked
 
 
 def survey_endings(count: int) -> dict[str, Any]:
-    """What ``count`` refusals tell, mostly of kinematics that know jumps."""
+    """Speeds reported with ``count`` refusals, mostly of kinematics with jumps."""
     tally: Counter[str] = Counter()
     odd: list[list[Any]] = []
     seconds, number = 0.0, 0
@@ -45,7 +45,7 @@ def survey_endings(count: int) -> dict[str, Any]:
 
 
 def _compared(tally: Counter[str], state: BearingState, index: int, gap: Gap) -> list[str]:
-    """Counts; what is wrong is returned in words."""
+    """Counts; errors are returned in words."""
     speed = float(state.speed[index]) * np.arange(1, FINE + 1) / FINE
     there = _there(state, index, speed)
     above = bool(there[speed > gap.low].any())
@@ -53,12 +53,12 @@ def _compared(tally: Counter[str], state: BearingState, index: int, gap: Gap) ->
     tally[f"refusals, {state.operation.law.kinematics}"] += 1
     tally["states at all speeds below"] += int(there[speed <= gap.low].all())
     tally["states again above"] += int(above)
-    tally["states again above, told"] += int(above and gap.again is not None)
+    tally["states again above, reported"] += int(above and gap.again is not None)
     words = []
     if not there[speed <= gap.low].all():
-        words.append("none at a speed below the one told")
+        words.append("none at a speed below the reported one")
     if above and gap.again is None:
-        words.append("states again that are not told")
+        words.append("states again that are not reported")
     return words
 
 

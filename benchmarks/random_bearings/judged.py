@@ -1,9 +1,9 @@
-"""What a state says of its balls, put into equations written apart from the solver.
+"""The balls of a state, checked by equations written separately from the solver.
 
-Four equations a ball, in what the state itself tells: the forces of the contact loads at the
-contact angles, with Fc and Mg from both, and the two sides of the geometry, that the segments from
-the outer groove centre over the ball to the inner one, pressed in by what the loads make of Hertz's
-law, close. The forces are scaled by the largest ball load, the gap by the distance of the free
+Four equations per ball, in values of the state itself: the equilibrium of the contact loads at the
+contact angles with Fc and Mg from both, and the two components of the geometry: the segments from
+the outer groove centre by the ball to the inner one close, with the approaches of Hertz's law under
+the loads. The forces are scaled by the largest ball load, the gap by the distance of the free
 groove centres. Nothing here is a small difference of lengths.
 """
 
@@ -18,7 +18,7 @@ from bearings.ring.state import BearingState
 from tests.oracles.ball_equations import Balls
 
 Array = NDArray[np.float64]
-UNEQUAL = 1e-9  # of the largest load: a balance off by more is wrong
+UNEQUAL = 1e-9  # of the largest load: a larger residual is wrong
 OPEN = (
     1e-12  # of the groove distance: a few thousand roundings; 1e-9 would hide much of a light load
 )

@@ -1,8 +1,8 @@
 """Random states of every kind:  python -m benchmarks.random_bearings.kinds --states 1000
 
-Per kind: states by outcome, what they leave of the balances when recomputed from loads and angles
-(``residual above 1e-9``), numbers that are not finite, contacts that pull, and states that a start
-at another one changes. What the survey comes to is written into ``benchmarks/results.json``.
+Per kind: states by outcome, residuals of the equilibrium recomputed from loads and angles
+(``residual above 1e-9``), non-finite numbers, contacts in tension, and states that change with
+another start. The results are written into ``benchmarks/results.json``.
 """
 
 from __future__ import annotations
@@ -23,11 +23,11 @@ from tests.oracles.groove_balance import balanced
 from tests.oracles.random_kinds import KINDS, Asked, draw
 
 EACH = 50
-OFTEN = 20  # batches between what is kept on the way
+OFTEN = 20  # batches between kept results
 UNEQUAL = 1e-9  # of the largest ball load
 OPEN = 1e-12  # of the ball diameter
 SAME = 1e-6  # of the largest ball load
-ROUNDING = 1e-15  # of the reach of a groove: an approach that means nothing
+ROUNDING = 1e-15  # of the reach of a groove: an approach of no meaning
 FIELDS = (
     "load",
     "displacement",
@@ -40,7 +40,7 @@ FIELDS = (
 
 
 def survey_kind(kind: str, count: int) -> Iterator[dict[str, Any]]:
-    """What ``count`` states of a kind come to: so far, now and then, and at last all of them."""
+    """Results of ``count`` states of a kind: intermediate ones, and at last of all states."""
     tally: Counter[str] = Counter()
     worst: dict[str, float] = Counter()
     odd: list[list[Any]] = []
@@ -78,7 +78,7 @@ def _counted(tally: Counter[str], asked: Asked, state: BearingState) -> None:
 def _judged(
     tally: Counter[str], worst: dict[str, float], asked: Asked, state: BearingState
 ) -> NDArray[np.intp]:
-    """Balances recomputed; the states that do not meet them or not the question."""
+    """Equilibrium recomputed; the states that violate it, or the prescribed values."""
     good = np.flatnonzero(state.outcome == "")
     if not good.size:
         return good
@@ -111,7 +111,7 @@ def _judged(
 
 
 def _restarted(tally: Counter[str], asked: Asked, cold: BearingState) -> NDArray[np.intp]:
-    """States that another start changes: solved from the states of rolled questions."""
+    """States that change with another start: solved from the states of other entries."""
     warm = asked.solve(asked.rolled().solve())
     both = (cold.outcome == "") & (warm.outcome == "")
     size = np.maximum(cold.contact_load.max(axis=(-1, -2)), 1e-12)
@@ -122,7 +122,7 @@ def _restarted(tally: Counter[str], asked: Asked, cold: BearingState) -> NDArray
 
 
 def main() -> None:
-    """Survey every kind and keep the outcome."""
+    """Survey every kind and keep the results."""
     parser = argparse.ArgumentParser(
         prog="python -m benchmarks.random_bearings.kinds",
         description=__doc__,

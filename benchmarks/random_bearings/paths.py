@@ -15,9 +15,9 @@ from tests.oracles.blend_path import Blend, Path, follow
 
 Array = NDArray[np.float64]
 NONE = np.zeros(5, dtype=bool)
-ENDED = ("fold", "jump", "lifted")  # ways of a path to have no physical end
+ENDED = ("fold", "jump", "lifted")  # reasons why a path has no physical end
 SAME = 1e-5  # of the deflection
-FROM = 10_000  # bearings of their own, so that the sets of the other surveys stay as they are
+FROM = 10_000  # separate bearings, so that the sets of the other surveys remain unchanged
 
 
 def survey_ball_paths(refused: int, solved: int, *, each: int = 3) -> dict[str, Any]:
@@ -75,7 +75,7 @@ def ring_path(asked: Asked, index: int) -> Path:
 
 
 def _followed(*question: Any) -> Path:
-    """With more digits where rounding stops it, near a pole of the rolling relations."""
+    """In extended precision where rounding stops it, near a pole of the rolling relations."""
     path = follow(Blend(*question))
     return follow(Blend(*question, np.longdouble)) if path.end == "stuck" else path
 
@@ -83,7 +83,7 @@ def _followed(*question: Any) -> Path:
 def _some(
     outcome: NDArray[np.str_], speed: Array, tally: Counter[str], wanted: tuple[int, int], each: int
 ) -> list[int]:
-    """Turning states to follow: refused ones and solved ones, where more are wanted."""
+    """States in rotation to follow: refused and solved ones, as far as more are needed."""
     chosen: list[int] = []
     turning = speed > 1e-3 * speed.max()
     for name, word, most in zip(("refused", "solved"), ("no equilibrium", ""), wanted, strict=True):
@@ -103,7 +103,7 @@ def _same(path: Path, x: Array, equations: Any, speed: float) -> bool:
 def _compared(
     tally: Counter[str], path: Path, there: bool, same: bool, name: tuple[int, int, str]
 ) -> list[list[Any]]:
-    """Counts; what is odd is returned to be looked at."""
+    """Counts; contradictions are returned for inspection."""
     group = "solved" if there else "refused"
     tally[group] += 1
     tally[f"{group}: {path.end}"] += 1

@@ -27,11 +27,14 @@ EACH = 50
 SEED = 2
 TANGENT = 4  # the tangent is compared on every fourth bearing
 KINDS = ("load", "load", "load", "displacement", "mixed")
-FROM = 30_000  # bearings of their own
+FROM = 30_000  # separate bearings
 FRICTION = 0.1
-FADING = ("equal", "inner")  # sharings under which friction lets a light ball fade out of contact
-OFF = 1e-6  # of the largest entry: a tangent off by more is looked at closer
-FAR = 20.0  # steps of the difference that a contact must be away from opening or closing
+FADING = (
+    "equal",
+    "inner",
+)  # with friction, a light ball loses contact continuously
+OFF = 1e-6  # of the largest entry: a tangent with a larger error is checked further
+FAR = 20.0  # steps of the difference: distance of a contact from opening or closing
 
 
 @dataclass(frozen=True)
@@ -70,13 +73,13 @@ class Asked:
 
     @property
     def lever(self) -> Array:
-        """What makes all five freedoms lengths."""
+        """Lever that scales all five DOF to lengths."""
         half = 0.5 * self.drawn.bearing.pitch_diameter
         return np.array([1.0, 1.0, 1.0, half, half])
 
 
 def draw_states(number: int, count: int = EACH, friction: float | None = None) -> Asked:
-    """A bearing and what is asked of it."""
+    """A bearing and its prescribed states."""
     rng = np.random.default_rng([SEED, number])
     drawn = replace(draw_bearing(rng, number), friction=friction)
     speed = draw_speeds(rng, drawn, count)
@@ -90,7 +93,7 @@ def draw_states(number: int, count: int = EACH, friction: float | None = None) -
 
 
 def survey_rings(count: int) -> dict[str, Any]:
-    """What ``count`` bearing states come to."""
+    """Results of ``count`` bearing states."""
     tally: Counter[str] = Counter()
     seconds: Counter[str] = Counter()
     worst: dict[str, float] = Counter()
@@ -165,7 +168,7 @@ def _balanced(
     state: BearingState,
     good: NDArray[np.intp],
 ) -> None:
-    """Balls and ring after the equations written once more."""
+    """Balls and ring by the independent equations."""
     balls = asked.drawn.equations
     centre = balls.centres(state.displacement[good], asked.static[good], asked.growth[good])
     found = judged(balls, state, good, centre)
@@ -193,7 +196,7 @@ def _symmetric(
     state: BearingState,
     good: NDArray[np.intp],
 ) -> None:
-    """K at rest."""
+    """Symmetry of K at rest."""
     rest = good[asked.speed[good] == 0.0]
     k = state.complete_stiffness[rest] / asked.lever / asked.lever[:, None]
     size = np.abs(k).max(axis=(1, 2))
@@ -211,7 +214,7 @@ def tangent_errors(
 ) -> None:
     """Five-point differences of the solver, the best of five steps, away from contact loss.
 
-    Where none of them agrees, differences of the judge's equations in more digits decide.
+    Where none of them agrees, differences of the independent equations in more digits decide.
     """
     top = state.inner_load[good].max(axis=-1)
     step = 3e-4 * (top / asked.drawn.equations.inner.k) ** (2.0 / 3.0)
@@ -222,7 +225,7 @@ def tangent_errors(
     k = state.complete_stiffness[chosen] / asked.lever / asked.lever[:, None]
     size = np.abs(k).max(axis=(1, 2))
     error = np.full(chosen.size, np.inf)
-    for factor in (1.0, 0.25, 4.0, 32.0, 256.0):  # large ones where balls are held by little
+    for factor in (1.0, 0.25, 4.0, 32.0, 256.0):  # large ones for weakly held balls
         todo = np.flatnonzero(~(error < OFF))
         if not todo.size:
             break
@@ -239,7 +242,7 @@ def tangent_errors(
 
 
 def _wide(asked: Asked, state: BearingState, index: int) -> Array:
-    """∂f/∂d (5, 5) in extended precision, freedoms as lengths; infinite where not found."""
+    """∂f/∂d (5, 5) in extended precision, DOF as lengths; infinite where not found."""
     growth = asked.static[index], asked.growth[index]
     d, x = state.displacement[index], state.ball_centre[:, index]
     try:
@@ -261,7 +264,7 @@ def _nearest(asked: Asked, state: BearingState, good: NDArray[np.intp]) -> Array
 
 
 def _differences(asked: Asked, state: BearingState, chosen: NDArray[np.intp], step: Array) -> Array:
-    """∂f/∂d (s, 5, 5), freedoms as lengths; every point starts at the state itself."""
+    """∂f/∂d (s, 5, 5), DOF as lengths; every point starts at the state itself."""
     factors = np.array([1.0, -1.0, 2.0, -2.0])
     moves = factors[:, None, None, None] * step[:, None] * np.eye(5)[:, None] / asked.lever
     points = state.displacement[chosen] + moves.reshape(20, chosen.size, 5)

@@ -1,4 +1,4 @@
-"""The same answer from any start, and no jumps along sweeps of load and speed."""
+"""The same solution from any start, and no jumps along sweeps of load and speed."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from bearings.ring.state import BearingState
 from benchmarks.random_bearings.rings import EACH, Asked, draw_states
 
 Array = NDArray[np.float64]
-FROM = 20_000  # bearings of their own
+FROM = 20_000  # separate bearings
 SAME = 1e-6  # of the largest ball load
 POINTS, FINE = 41, 32
-VISIBLE = 1e-3  # of the largest ball load: smaller steps are not looked at
+VISIBLE = 1e-3  # of the largest ball load: smaller steps are not checked
 
 
 def survey_starts(count: int) -> dict[str, Any]:
@@ -39,7 +39,7 @@ def survey_starts(count: int) -> dict[str, Any]:
 
 
 def _rolled(state: BearingState) -> BearingState:
-    """Every state in the place of the next one."""
+    """Every state at the place of the next one."""
     return replace(
         state,
         displacement=np.roll(state.displacement, 1, axis=0),
@@ -65,7 +65,7 @@ def _difference(cold: BearingState, warm: BearingState, index: int) -> str:
 
 
 def survey_sweeps(count: int, friction: float | None = None) -> dict[str, Any]:
-    """Sweeps of load and of speed, each state solved cold; steep intervals are looked into."""
+    """Sweeps of load and of speed, each state solved cold; steep intervals are refined."""
     tally, odd, number = Counter(), [], FROM
     begin = time.process_time()
     while tally["sweeps"] < count:

@@ -1,5 +1,4 @@
-"""Writes what the documents state in numbers: each table between its two markers, and the figures.
+"""Generated parts of the documents: each table between its two markers, and the figures.
 
-``scripts/document`` runs it. Nothing in a generated part is written by hand, nothing outside one is
-touched.
+``scripts/document`` runs it. No generated part is written by hand; no other text is changed.
 """

@@ -8,14 +8,19 @@ from collections.abc import Callable
 
 
 def main() -> int:
-    """Rewrite every generated part; with ``--measure`` take the times anew first."""
+    """Rewrite every generated part; with ``--measure`` measure the times first."""
     parser = argparse.ArgumentParser(prog="scripts/document", description=__doc__)
     parser.add_argument(
         "--measure", action="store_true", help="measure times first (benchmarks/main_job.py)"
     )
-    parser.add_argument("--only", metavar="WORD", default="", help="pages and figures named so")
-    asked = parser.parse_args()
-    if asked.measure:
+    parser.add_argument(
+        "--only",
+        metavar="WORD",
+        default="",
+        help="only pages and figures with this word in their name",
+    )
+    options = parser.parse_args()
+    if options.measure:
         from benchmarks.main_job import measure
 
         _step("times measured", measure)
@@ -38,7 +43,7 @@ def main() -> int:
         "docs/figures/zero_order.png": draw_zero_order,
     }
     for name, work in steps.items():
-        if asked.only in name:
+        if options.only in name:
             _step(name, work)
     return 0
 

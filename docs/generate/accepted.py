@@ -1,4 +1,4 @@
-"""What a key of a file accepts, in the words of the annotation that files are read by."""
+"""Text on the values that a key of a file accepts, from the annotation by which files are read."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def _of_one(annotation: Any) -> str:
 
 
 def default(field: Field) -> str:
-    """The default as one would write it, or ``required``."""
+    """The default as written in a file, or ``required``."""
     if field.default is REQUIRED:
         return "required"
     if isinstance(field.default, Material):

@@ -1,4 +1,4 @@
-"""The axial behaviour of the MFW 2310, as its thesis prints it and as the cases find it."""
+"""Axial behaviour of the MFW 2310: values printed in the thesis and computed by the cases."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ from rotordyn.preload.friction import operating_state
 
 Array = NDArray[np.float64]
 RPM = math.pi / 30.0
-HEAD = ("what", "figure", "thesis", "ours", "assumed, and why they differ")
+HEAD = ("quantity", "figure", "thesis", "computed", "assumptions, reasons for differences")
 PLAIN = "α 25°, fi 0.56, fo 0.54, 25 balls, no growth, no shift; springs of 602 N, 6 N/µm each"
 NEVER = "the thesis does not print the parameters of its example"
 SIGN = "the identified parameters belong to the other sign of the gyroscopic moment"
-PHASES = (  # what the thesis computes of the rear sleeve at 16 and 24 krpm [µm], its mean error
+PHASES = (  # thesis: computed travel of the rear sleeve at 16 and 24 krpm, mean error [µm]
     ("3.2", "37.0", "76.7 (text of phase 1), 63.4 (text of phase 4)", "5.47"),
     ("3.3", "37.0", "63.2", "3.33"),
     ("3.4", "37.0", "76.7", "1.03"),
@@ -54,13 +54,13 @@ def preload_sum(name: str, variant: str, rpm: float) -> float:
 
 
 def axial_table() -> str:
-    """Figures of chapter III beside ours."""
+    """Values of chapter III of the thesis and computed ones."""
     rows = [*_concepts(), *_identified()]
     return table(HEAD, rows)
 
 
 def phase_table() -> str:
-    """The six sets of parameters: what each says of the rear sleeve and of the stiffness."""
+    """The six sets of parameters: travel of the rear sleeve and axial stiffness with each."""
     name, rows = "mfw2310_phases", []
     for k, (variant, (where, slow, fast, error)) in enumerate(
         zip(solved(name), PHASES, strict=True), start=1
@@ -68,7 +68,7 @@ def phase_table() -> str:
         state = solved(name)[variant]["preload"]
         rear = [-1e6 * state.position[_row(state, rpm), 2] for rpm in (16000.0, 24000.0)]
         falling, rising = stiffness(name, variant, 4000.0)
-        met = float(state.stop_speed[0] / RPM)
+        reached = float(state.stop_speed[0] / RPM)
         rows.append(
             (
                 f"{k} (table {where})",
@@ -78,18 +78,18 @@ def phase_table() -> str:
                 f"{rear[1]:.1f}",
                 error,
                 f"{falling:.0f}, {rising:.0f}",
-                f"{met:.0f}" if math.isfinite(met) else "not met",
+                f"{reached:.0f}" if math.isfinite(reached) else "not reached",
             )
         )
     head = (
         "phase",
         "rear sleeve, 16 krpm [µm], thesis:",
-        "ours:",
+        "computed:",
         "24 krpm, thesis:",
-        "ours:",
-        "its mean error, all points [µm]:",
-        "ours at 4 krpm, no load: stiffness falling, rising [N/µm]:",
-        "front stop met [rpm]:",
+        "computed:",
+        "mean error in the thesis, all points [µm]:",
+        "computed at 4 krpm, no load: stiffness falling, rising [N/µm]:",
+        "front stop reached [rpm]:",
     )
     return table(head, rows)
 
@@ -113,15 +113,15 @@ def _concepts() -> list[tuple[str, ...]]:
     }
     found, rows = concepts(), []
     for variant, (figure, other, published, sums) in known.items():
-        ours, loads = found[variant]
-        said = [PLAIN + "; " + NEVER, ""] if variant == "rigid" else ["", ""]
+        computed, loads = found[variant]
+        remark = [PLAIN + "; " + NEVER, ""] if variant == "rigid" else ["", ""]
         what = f"{variant} preload, axial stiffness at 0, 16, 24 krpm"
-        falls = [f"{_fall(each, 1):.1f}, {_fall(each, 2):.1f}" for each in (published, ours)]
+        falls = [f"{_fall(each, 1):.1f}, {_fall(each, 2):.1f}" for each in (published, computed)]
         rows += [
-            (f"{what} [N/µm]", figure, numbers(published), numbers(tuple(ours)), said[0]),
-            ("its fall from rest [%]", figure, *falls, ""),
+            (f"{what} [N/µm]", figure, numbers(published), numbers(tuple(computed)), remark[0]),
+            ("decrease from rest [%]", figure, *falls, ""),
             (
-                f"{variant} preload, its sum at 0, 24 krpm [N]",
+                f"{variant} preload, sum of preloads at 0, 24 krpm [N]",
                 other,
                 numbers(sums),
                 numbers((float(loads[0]), float(loads[2]))),
@@ -129,7 +129,9 @@ def _concepts() -> list[tuple[str, ...]]:
             ),
         ]
     share = found["sprung"][0][0] / found["rigid"][0][0]
-    rows.append(("sprung over rigid stiffness at rest", "3.4, 3.5", "0.509", number(share), ""))
+    rows.append(
+        ("ratio of sprung to rigid stiffness at rest", "3.4, 3.5", "0.509", number(share), "")
+    )
     return rows
 
 
@@ -156,12 +158,12 @@ def _identified() -> list[tuple[str, ...]]:
         ("shaft at 24 krpm, no load [µm]", "3.26", "about 25", f"{shaft:.1f}", ""),
         ("sum of preloads at 0, 24 krpm [N]", "3.26", "1100, 1600", numbers(sums), SIGN),
         (
-            "slope where the front is unloaded, 0 krpm [N/µm]",
+            "slope with the front bearings unloaded, 0 krpm [N/µm]",
             "3.9",
             "about 12.0",
             f"{_past():.2f}",
             f"springs of {_springs():.2f} N/µm in series with bearings; the thesis takes "
-            "the springs alone, the limit of bearings that do not give way",
+            "the springs alone, the limit of rigid bearings",
         ),
         (
             "stiffness at no load, 4 krpm, force falling, rising [N/µm]",
@@ -171,7 +173,7 @@ def _identified() -> list[tuple[str, ...]]:
             "phase 6",
         ),
         (
-            "its lowest over speed, share of 4 krpm lost [%]",
+            "largest decrease over speed, relative to 4 krpm [%]",
             "3.23",
             "about 60",
             ", ".join(
@@ -182,9 +184,9 @@ def _identified() -> list[tuple[str, ...]]:
         (
             "stiffness at no load, 24 krpm, falling, rising [N/µm]",
             "3.23",
-            "rises again, rising branch the stiffer",
+            "rises again, rising branch stiffer",
             f"{fast[0]:.0f}, {fast[1]:.0f}",
-            "in both branches the stop is closed here, which it is there in one",
+            "here the stop is closed on both branches, in the thesis on one",
         ),
         (
             "stiffness about −815 N, sleeve held, sliding [N/µm]",
@@ -193,7 +195,7 @@ def _identified() -> list[tuple[str, ...]]:
             f"{held[0]:.0f}, {held[1]:.0f}",
             "",
         ),
-        ("cyclic force that friction holds about −815 N [N]", "3.29", "± 185", f"± {mean:.0f}", ""),
+        ("cyclic force carried by friction about −815 N [N]", "3.29", "± 185", f"± {mean:.0f}", ""),
     ]
 
 
@@ -213,7 +215,7 @@ def _held(cycle: Any, force: float) -> float:
 
 
 def _slopes(force: float) -> tuple[float, float]:
-    """With the sleeve held, and without friction, the force having fallen [N/µm]."""
+    """With the sleeve held, and without friction, on the branch of falling force [N/µm]."""
     case = rotordyn.load(ROOT / "cases" / "mfw2310_axial_cycle.yaml")
     found = []
     for spindle in (case.variants[name].spindle for name in ("rubbing", "smooth")):
@@ -237,7 +239,7 @@ def _springs() -> float:
 
 
 def _past() -> float:
-    """Slope where the front bearings carry nothing and the stop is open [N/µm]."""
+    """Slope with unloaded front bearings and an open stop [N/µm]."""
     smooth = solved("mfw2310_axial_cycle")["smooth"]["axial_cycle"]
     free = (smooth.axial_load[0, 0, :, 0] == 0.0) & (smooth.stop_force[0, 0, :, 0] == 0.0)
     return float(smooth.stiffness[0, 0, free].mean() / 1e6)

@@ -1,4 +1,4 @@
-"""Error against time of one bearing's solver, drawn from what was measured last."""
+"""Error against time of one bearing's solver, drawn from the last measurement."""
 
 from __future__ import annotations
 
@@ -27,20 +27,25 @@ if TYPE_CHECKING:
 
 STARTS = {"warm": (BLUE, "o-"), "cold": (RED, "s--")}
 VARIED = {
-    "first stride": (ORANGE, "v-."),
-    "longest turn [rad]": (BLUE, "o-"),
-    "most Newton steps": (PURPLE, "d-"),
-    "shortest stride": (RED, "s--"),
-    "fixed strides": (GREEN, "^:"),
+    "first path step": (ORANGE, "v-."),
+    "largest rotation [rad]": (BLUE, "o-"),
+    "Newton steps allowed": (PURPLE, "d-"),
+    "shortest path step": (RED, "s--"),
+    "fixed path steps": (GREEN, "^:"),
 }
 FITS = {
     "Brewe and Hamrock 1977": (ORANGE, "v", "fit of 1977"),
     "Hamrock and Brewe 1983": (PURPLE, "^", "fit of 1983"),
 }
 EXACT = "exact, `bearings.contact.hertz`"
-STANDARD = "as shipped"
-NEWTON, PATH, CONTACT = "where Newton stops", "how finely the path is followed", "contact stiffness"
-ROOM = {NEWTON: (0.3, 1.4), PATH: (0.8, 1.25), CONTACT: (0.6, 1.6)}  # of the times, for legends
+STANDARD = "default"
+NEWTON, PATH = "tolerance of Newton's method", "step length along the path"
+CONTACT = "contact stiffness"
+MARGINS = {
+    NEWTON: (0.3, 1.4),
+    PATH: (0.8, 1.25),
+    CONTACT: (0.6, 1.6),
+}  # of the times: space for legends
 
 
 def draw_bearing_curves() -> None:
@@ -49,16 +54,16 @@ def draw_bearing_curves() -> None:
 
 
 def bearing_figure(found: dict[str, Any]) -> Figure:
-    """Where Newton stops; how finely the path is followed; contacts."""
+    """Tolerance of Newton's method; step length along the path; contact stiffness."""
     figure = new_figure(188.0, 82.0)
     boxes = grid_boxes(figure, 1, 3, margins=(15.0, 4.0, 12.0, 8.0), gaps=(16.5, 0.0))
-    for draw, box in zip((_tolerance, _strides, _hertz), boxes, strict=True):
+    for draw, box in zip((_tolerance, _path_steps, _hertz), boxes, strict=True):
         draw(add_axes(figure, box), found)
     return figure
 
 
 def _labelled(axes: Axes, title: str, x: str, y: str) -> None:
-    """Words, room around the curves, and scales."""
+    """Labels, margins around the curves, and scales."""
     axes.set_title(title, fontsize=8.0, pad=4.0)
     axes.set_xlabel(x, fontsize=8.0)
     axes.set_ylabel(y, fontsize=8.0)
@@ -66,7 +71,7 @@ def _labelled(axes: Axes, title: str, x: str, y: str) -> None:
     low, high = axes.get_ylim()
     axes.set_ylim(low / 3.0, 3.0 * high)
     first, last = axes.get_xlim()
-    axes.set_xlim(first * ROOM[title][0], last * ROOM[title][1])
+    axes.set_xlim(first * MARGINS[title][0], last * MARGINS[title][1])
     plain_ticks(axes)
 
 
@@ -82,21 +87,21 @@ def _tolerance(axes: Axes, found: dict[str, Any]) -> None:
     legend(axes, loc="lower left")
 
 
-def _strides(axes: Axes, found: dict[str, Any]) -> None:
-    sure = found["strides"]["sure"]
-    floor = 0.5 / sure
+def _path_steps(axes: Axes, found: dict[str, Any]) -> None:
+    certain = found["path_steps"]["certain"]
+    floor = 0.5 / certain
     for name, (colour, look) in VARIED.items():
-        own = [line for line in found["strides"]["lines"] if line["varied"] == name]
+        own = [line for line in found["path_steps"]["lines"] if line["varied"] == name]
         shares = [max(r["share"], floor) for r in own]
         axes.loglog(
             [1e-3 * r["state"] for r in own], shares, look, color=colour, ms=3.5, label=name
         )
-    shipped = next(r for r in found["strides"]["lines"] if r["varied"] == "as shipped")
+    shipped = next(r for r in found["path_steps"]["lines"] if r["varied"] == "default")
     _ring(axes, 1e-3 * shipped["state"], max(shipped["share"], floor))
     axes.axhline(floor, color=GREY, lw=0.8, ls=":")
     _labelled(axes, PATH, "ms per state", "share of wrong states [-]")
     axes.annotate(
-        f"none of {sure}",
+        f"none of {certain}",
         (0.03, floor),
         xycoords=("axes fraction", "data"),
         xytext=(0, 3),
@@ -133,5 +138,5 @@ def _hertz(axes: Axes, found: dict[str, Any]) -> None:
 
 
 def _ring(axes: Axes, time: float, error: float) -> None:
-    """Marks what the solver does by itself."""
+    """Marks the default setting of the solver."""
     axes.plot([time], [error], "o", color=BLACK, mfc="none", ms=8.0, zorder=5)

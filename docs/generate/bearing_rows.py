@@ -1,4 +1,4 @@
-"""How accurate single bearings are."""
+"""Accuracy of single bearings."""
 
 from __future__ import annotations
 
@@ -60,16 +60,16 @@ def bearing_rows() -> list[Row]:
             (69.8, 75.1),
         ),
         Row(
-            "complete K against differences, 80 random states, four hypotheses",
+            "complete K against finite differences, 80 random states, four hypotheses",
             (_worst_tangent(),),
             1e-6,
-            "the bearing's own loads",
+            "loads of the bearing itself",
         ),
         Row(
-            "axial balance of balls and ring, the same states",
+            "axial equilibrium of balls and ring, the same states",
             (_worst_balance(),),
             1e-10,
-            "equation of balance",
+            "equation of equilibrium",
         ),
     ]
 
@@ -81,7 +81,7 @@ def _contacts() -> Row:
         "Hertz contacts of the Harris 218: k [10¹⁰ N/m^1.5], κ, inner and outer",
         found,
         1e-5,
-        "exact elliptic integrals, computed apart",
+        "exact elliptic integrals, computed separately",
         (4.07062, 4.23417, 8.15514, 6.89741),
     )
 
@@ -145,7 +145,7 @@ def _tangent_error(hypothesis: str) -> float:
 
 
 def _worst_balance() -> float:
-    """Σ (Qi sin αi + λi Mg cos αi/D) against the axial load asked for, λi = 1."""
+    """Σ (Qi sin αi + λi Mg cos αi/D) against the requested axial load, λi = 1."""
     load, speed = _random_loads()
     s = VEX70.equilibrium(load=load, speed=speed)
     share = s.gyroscopic_moment / VEX70.ball_diameter * np.cos(s.inner_angle)

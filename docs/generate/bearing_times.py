@@ -1,4 +1,4 @@
-"""What one bearing costs (``python -m benchmarks.bearing``) as tables."""
+"""Computing time and accuracy of one bearing (``python -m benchmarks.bearing``) as tables."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def bearing_parts(found: Found) -> dict[str, str]:
         "bearing-first": _first(found),
         "bearing-methods": _methods(found["methods"]),
         "bearing-tolerance": _tolerance(found["tolerance"]),
-        "bearing-strides": _strides(found["strides"]),
+        "bearing-path-steps": _path_steps(found["path_steps"]),
         "bearing-hertz": _hertz(found["hertz"]),
     }
 
@@ -28,7 +28,7 @@ def _speed(found: Found) -> str:
         "µs per state:",
         "µs per ball:",
         "target",
-        "error of what was asked:",
+        "error of load or displacement:",
         "error of K:",
     )
     rows = [
@@ -44,7 +44,10 @@ def _speed(found: Found) -> str:
         for line in found["speed"]
     ]
     lost = found["lost_from_unloaded"]
-    missed = f"Balls of 25 that `fsolve` misses from the unloaded geometry: {lost}."
+    missed = (
+        "Number of the 25 balls that `fsolve` does not solve correctly from the unloaded geometry: "
+        f"{lost}."
+    )
     return f"{table(head, rows)}\n\n{missed}"
 
 
@@ -53,7 +56,7 @@ def _time(value: float) -> str:
 
 
 def _verdict(line: Found) -> str:
-    """Beside the target, if there is one."""
+    """Comparison with the target, if there is one."""
     if line["target"] is None:
         return "–"
     value, limit = line[line["per"]], line["target"]
@@ -71,7 +74,7 @@ def _first(found: Found) -> str:
         )
         for line in found["first_call"]
     ]
-    head = ("first call of a process", "import [ms]:", "first [ms]:", "the same again [ms]:")
+    head = ("first call of a process", "import [ms]:", "first call [ms]:", "second call [ms]:")
     busy = "" if found["busy"] is None else f"\n\nLoad average at the start: {found['busy']:.1f}."
     return table(head, rows) + busy
 
@@ -79,7 +82,7 @@ def _first(found: Found) -> str:
 def _methods(lines: list[Found]) -> str:
     head = (
         "method",
-        "asked",
+        "task",
         "K",
         "published [%]:",
         "one, numpy [%]:",
@@ -88,7 +91,7 @@ def _methods(lines: list[Found]) -> str:
         "one, numpy [µs]:",
         "one, compiled [µs]:",
         "batch, numpy [µs a state]:",
-        "K off by:",
+        "error of K:",
     )
     sorts, first = ("one", "compiled", "batch"), lines[0]
     rows = [
@@ -107,7 +110,7 @@ def _methods(lines: list[Found]) -> str:
 
 
 def _tolerance(lines: list[Found]) -> str:
-    head = ("start", "Newton stops at:", "µs per state:", "error of d:", "error of K:")
+    head = ("start", "tolerance:", "µs per state:", "error of d:", "error of K:")
     rows = [
         (
             line["start"],
@@ -121,32 +124,31 @@ def _tolerance(lines: list[Found]) -> str:
     return table(head, rows)
 
 
-def _strides(found: Found) -> str:
+def _path_steps(found: Found) -> str:
     head = (
-        "varied",
+        "setting",
         "value:",
         "µs per state:",
-        "refused, though there:",
+        "refused, although a state exists:",
         "another root:",
-        "found, though none:",
-        "of all these hybrid or outer:",
+        "found, although none exists:",
+        "of these with hybrid or outer kinematics:",
     )
     rows = [
         (
             line["varied"],
-            _stride(line["value"]),
+            _length(line["value"]),
             _time(line["state"]),
-            *(str(line[word]) for word in ("refused", "other", "invented", "smooth")),
+            *(str(line[word]) for word in ("refused", "other", "spurious", "smooth")),
         )
         for line in found["lines"]
     ]
-    count = (
-        f"{found['states']} states, {found['sure']} of them sure, of which {found['exist']} exist."
-    )
+    certain = f"{found['certain']} of them certain, of which {found['exist']} exist."
+    count = f"{found['states']} states, {certain}"
     return f"{table(head, rows)}\n\n{count}"
 
 
-def _stride(value: float) -> str:
+def _length(value: float) -> str:
     return f"{value:.3g}" if value >= 1e-3 else f"{value:.0e}"
 
 

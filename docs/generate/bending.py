@@ -1,4 +1,4 @@
-"""What formulation and axial force make of the flagship's bending modes."""
+"""Effect of formulation and axial force on the bending modes of the flagship."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def _modes(**conditions: Any) -> tuple[tuple[str, ...], Array]:
 
 
 def formulation_table() -> str:
-    """Frequencies at top speed in the three formulations, speed acting on the bearings or not."""
+    """Frequencies at top speed in the three formulations, with bearings at speed and at rest."""
     head = ["mode at 24 000 rpm [Hz]"]
     columns: list[tuple[str, ...]] = []
     for bearings in ("dynamic", "static"):
@@ -52,10 +52,10 @@ def formulation_table() -> str:
 
 
 def axial_force_table() -> str:
-    """Relative change of the modes by the axial force that preload and speed bring."""
+    """Relative change of the modes by the axial force due to preload and speed."""
     names, plain = _modes(axial_stiffening=False)
-    _, ours = _modes()
-    changes = ours / plain - 1.0
+    _, stiffened = _modes()
+    changes = stiffened / plain - 1.0
     rows = [
         (name, *(f"{1e6 * change:+.1f}".replace("-", "−") for change in changes[:, k]))
         for k, name in enumerate(names)

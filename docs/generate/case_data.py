@@ -1,9 +1,9 @@
 """The files of ``cases/data``:  python -m docs.generate.case_data
 
-Nothing in them was measured. ``oil_film.csv`` are formulas of a short journal bearing,
-``housing_*.mtx`` a beam on springs, reduced; ``made_up_tap.csv`` is what this program answers for a
-joint softer than that of its case, with noise; ``made_up_blank.csv`` for a blank on a spindle, with
-noise.
+No file contains measurements. ``oil_film.csv`` has values of the formulas of a short journal
+bearing, ``housing_*.mtx`` the reduced matrices of a beam on springs. ``made_up_tap.csv`` is
+computed by this program for a joint softer than that of its case, ``made_up_blank.csv`` for a blank
+on a spindle, both with noise.
 """
 
 from __future__ import annotations
@@ -115,7 +115,7 @@ def tube() -> tuple[Array, Array, Array]:
 
 
 def _beam(a: float, b: float, c: float, d: float, e: float, f: float, h: float) -> Array:
-    """The pattern that a beam's mass and stiffness share."""
+    """The common pattern of mass and stiffness of a beam element."""
     e, f = e * h**2, -f * h**2
     return np.array([[a, b, c, d], [b, e, -d, f], [c, -d, a, -b], [d, f, -b, e]])
 
@@ -123,7 +123,7 @@ def _beam(a: float, b: float, c: float, d: float, e: float, f: float, h: float) 
 def housing() -> dict[str, Array]:
     """Mass, stiffness, damping of the cartridge, y of the seats and inner modes, then z.
 
-    Fixed-interface modes beside the static answers to the seats (Craig and Bampton 1968).
+    Fixed-interface modes and static constraint modes of the seats (Craig and Bampton 1968).
     """
     from scipy.linalg import block_diag, eigh
 
@@ -181,9 +181,9 @@ def _noisy(exact: NDArray[np.complex128]) -> NDArray[np.complex128]:
 
 
 def made_up_tap() -> str:
-    """The table that stands for a tap test."""
+    """The table that replaces a tap test."""
     lines = [
-        "# NOT A MEASUREMENT. What rotordyn answers for tool_holder_joint.yaml with a joint of",
+        "# NOT A MEASUREMENT. Computed by rotordyn for tool_holder_joint.yaml with a joint of",
         f"# {TILT / 1e6:g} MN m/rad, with noise of {NOISE:.0%} and a floor, by "
         "docs/generate/case_data.py",
         "frequency [Hz], real [(m/s²)/N], imaginary [(m/s²)/N]",
@@ -194,7 +194,7 @@ def made_up_tap() -> str:
 
 
 def blank() -> str:
-    """The table that stands for a test of a blank at two points, at rest."""
+    """The table that replaces a test of a blank at two points, at rest."""
     frequency = np.arange(100.0, 5000.1, 5.0)
     ends = [Port(point, "y") for point in ("tip", "inner")]
     pairs = ((ends[0], ends[0]), (ends[0], ends[1]), (ends[1], ends[1]))
@@ -212,7 +212,7 @@ def blank() -> str:
     names = [f"{response} / {excitation}" for response, excitation in pairs]
     heads = [f"{n} {part} [m/N]" for n in names for part in ("real", "imaginary")]
     lines = [
-        "# NOT A MEASUREMENT. What rotordyn answers for hsk63_blank_60 on mfw2310 at rest, with",
+        "# NOT A MEASUREMENT. Computed by rotordyn for hsk63_blank_60 on mfw2310 at rest, with",
         f"# noise of {NOISE_OF_BLANK:.0%} of each value, by docs/generate/case_data.py",
         ", ".join(["frequency [Hz]", *heads]),
     ]
@@ -232,7 +232,7 @@ def files() -> Iterator[tuple[str, str]]:
 
 
 def write_case_data() -> None:
-    """Write them all."""
+    """Write all files."""
     DATA.mkdir(exist_ok=True)
     for name, text in files():
         (DATA / name).write_text(text, encoding="utf-8")

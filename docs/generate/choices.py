@@ -1,4 +1,4 @@
-"""What the choices of a case change in the answers: the flagship at top speed, one at a time."""
+"""Effect of the choices of a case: the flagship at top speed, one choice at a time."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ FORCES = (500.0, 1000.0, 2000.0, 3000.0, 4000.0)
 
 @cache
 def choice_table() -> str:
-    """The case as it stands, then with one choice made otherwise."""
+    """The case unchanged, then with one choice changed."""
     case = _case()
     asked = {
         "preload": PreloadSpec(),
@@ -48,16 +48,16 @@ def choice_table() -> str:
         "stiffness": StiffnessSpec(POINT, steps=1, variants=("full",)),
     }
     case = replace(case, speeds=(0.0, TOP), analyses=asked)
-    lines = [("as in the case", *_answers(case))]
+    lines = [("as in the case", *_results(case))]
     for key, name in CHOICES:
         other = replace(case, conditions=replace(case.conditions, **{key: name}))
-        lines.append((f"`{key}: {name}`", *_answers(other)))
+        lines.append((f"`{key}: {name}`", *_results(other)))
     return table(HEAD, lines)
 
 
 @cache
 def linear_table() -> str:
-    """Secant over tangent less one: what a linear model misses under a slow radial force."""
+    """Secant over tangent stiffness less one: error of a linear model under a slow radial force."""
     spec = StiffnessSpec(POINT, max_force=FORCES[-1], steps=8, variants=("nonlinear",))
     speeds = tuple(rpm * math.pi / 30.0 for rpm in RPM)
     found = solve(replace(_case(), speeds=speeds, analyses={"stiffness": spec})).results
@@ -74,8 +74,8 @@ def _case() -> Case:
     return rotordyn.load(ROOT / "cases" / "mfw2310.yaml")
 
 
-def _answers(case: Case) -> tuple[str, ...]:
-    """The columns of ``HEAD`` at top speed; grip and pressure are the largest of all races."""
+def _results(case: Case) -> tuple[str, ...]:
+    """The columns of ``HEAD`` at top speed; friction and pressure are the largest of all races."""
     found: Mapping[str, Any] = solve(case).results
     preload, modes = found["preload"], found["campbell"]
     if case.spindle is None:

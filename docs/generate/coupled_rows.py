@@ -1,4 +1,4 @@
-"""What damping of the rotor does to a tool coupled in place of a blank, without noise."""
+"""Effect of rotor damping on a tool coupled in place of a blank, without noise."""
 
 from __future__ import annotations
 
@@ -31,9 +31,9 @@ def damping_table() -> str:
     machine = rotordyn.model("spindles", "mfw2310")
     bare = replace(machine, rotor_damping=())
     rows = [
-        ("modal, 1, 2, 5 % and 5 % of all others", machine, 0.0),
+        ("modal, 1, 2, 5 %, all others 5 %", machine, 0.0),
         ("modal", machine, LOSS),
-        ("none: bearings alone", bare, 0.0),
+        ("none except of the bearings", bare, 0.0),
         (f"loss factor {LOSS:g} of its material", replace(bare, loss_factor=LOSS), LOSS),
     ]
     return table(HEAD, [_row(*row) for row in rows])
@@ -42,8 +42,8 @@ def damping_table() -> str:
 def peaks_over_computed(
     spindle: Spindle, tool: Tool, loss: float
 ) -> list[tuple[float, float, float]]:
-    """Of every peak of the whole machine its frequency [Hz], that of the coupled tip over it, and
-    its size likewise; ``loss``: loss factor of blank and tool."""
+    """For every peak of the whole machine: its frequency [Hz], and frequency and amplitude of the
+    coupled peak, both relative to it; ``loss``: loss factor of blank and tool."""
     blank = rotordyn.model("tools", BLANK)
     known = _receptance(spindle.with_tool(blank), POINTS)
     front, *rest = _sections(blank, loss)

@@ -1,4 +1,4 @@
-"""What Debongnie's approximation gets wrong, against rings solved ball by ball."""
+"""Errors of Debongnie's approximation, compared with rings solved ball by ball."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ CONTINUOUS = 360  # balls whose sum is the integral around the ring, to 1e-4
 class Errors:
     """Relative errors of the approximation under the same load, shape (ki/ke, δc/δr).
 
-    ``displacement``: of δr, at the worse of two places of the ball set: a ball under the load, or
-    the middle of a gap. ``inner`` and ``outer``: of the largest ball load on either race, while
-    the balls pass. ``in_zone``: mean number of balls in the load zone.
+    ``displacement``: of δr, at the worse of two positions of the ball set: a ball in line with the
+    load, or the middle between two balls. ``inner`` and ``outer``: of the largest ball load on
+    either race, over both positions. ``in_zone``: mean number of balls in the load zone.
     """
 
     displacement: Array

@@ -1,4 +1,4 @@
-"""Numbers that the page of Debongnie's approximation states."""
+"""Tables of the page on Debongnie's approximation."""
 
 from __future__ import annotations
 

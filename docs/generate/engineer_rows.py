@@ -1,6 +1,6 @@
-"""What a bearing engineer computes beside what catalogues, standards and other codes give.
+"""Quantities of bearing engineering, compared with values of catalogues, standards and other codes.
 
-``[M]``: the formula is that of a standard or book from memory, whose text was not at hand.
+``[M]``: the formula of a standard or book is quoted from memory; its text was not available.
 """
 
 from __future__ import annotations
@@ -73,24 +73,24 @@ def _commercial_code() -> list[Row]:
     races = [life.life_of(_axial(VEX70, 610.0, rpm), 23e3) for rpm in (0, 10e3, 20e3, 30e3)]
     return [
         Row(
-            "L10r under 1000 N across and along, Z 7, D 11.5 mm [10⁶ rev]",
+            "L10r under 1000 N radially and axially, Z 7, D 11.5 mm [10⁶ rev]",
             tuple(lives),
             2e-3,
             CODE,
             (13163.019, 2222.7318),
         ),
         Row(
-            "displacement of the same [µm]",
+            "displacement of this bearing [µm]",
             tuple(map(float, moved)),
             2e-3,
             "MASTA, with the approximate contacts of the standard",
             (15.1101, 133.5381),
         ),
         Row(
-            "tilt of the same under 1 N m, groove centres brought to dm/2 [mrad]",
+            "tilt of this bearing under 1 N m, groove centres shifted to dm/2 [mrad]",
             (1e3 * float(tilt) * arm**1.25,),
             2e-3,
-            "MASTA; without that the exact groove centres give 1.3 % less",
+            "MASTA; with the exact groove centres the tilt is 1.3 % less",
             (3.6957,),
         ),
         Row(
@@ -130,10 +130,10 @@ def _ratings() -> list[Row]:
             f"{GMN}; ISO 281 [M]",
             (48_500,),
         ),
-        Row("C0 of the same [N]", (static,), 0.03, f"{GMN}; ISO 76 [M]", (46_000,)),
-        Row("C0 of the same, hybrid over steel", (share,), 0.01, f"{GMN}; ISO 76 [M]", (0.70,)),
+        Row("C0 of the S 6014 C [N]", (static,), 0.03, f"{GMN}; ISO 76 [M]", (46_000,)),
+        Row("C0 of the S 6014 C, hybrid over steel", (share,), 0.01, f"{GMN}; ISO 76 [M]", (0.70,)),
         Row(
-            "rigidity of the S 6210 E by grooves that give its C, three preloads [N/µm]",
+            "axial rigidity of the S 6210 E, conformities fitted to its C, three preloads [N/µm]",
             tuple(rigidity.tolist()),
             0.02,
             f"{GMN}; ISO 281 [M]",
@@ -197,7 +197,7 @@ def _fits() -> list[Row]:
             "70 k5 in a bore 0/−15: most, least, probable [µm]",
             tuple(float(each) / MICRON for each in own),
             0.05,
-            f"{SKF}; 1 µm asked; bore of ISO 492 [M]",
+            f"{SKF}; agreement within 1 µm required; bore of ISO 492 [M]",
             (30, 2, 26, 6),
         ),
         Row(
@@ -255,7 +255,7 @@ def _friction() -> list[Row]:
             (0.85, 0.80, 437),
         ),
         Row(
-            "M of the same, its sliding and drag with a roller's factors [N mm]",
+            "M of the 22208 E, sliding and drag with factors of roller bearings [N mm]",
             (found.total,),
             0.02,
             f"{SKF}, p. 104; loads, factors of series 222 E and drag variable [M]",
@@ -291,14 +291,16 @@ def _films() -> list[Row]:
         )
     ]
     what = "h_min, h_c of the inner, of the outer race, Hamrock's ball bearing [µm]"
-    source = "an independent code [M]; the print was not reached"
+    source = "an independent code [M]; the printed source was not available"
     return [Row(what, tuple(found), 1e-3, source, (0.553, 0.690, 0.661, 0.828))]
 
 
 def _sleeve() -> list[Row]:
     guide = LinearBallGuide(250, 4e-3, 0.1, 4e-6)
-    what = "radial stiffness of a ball sleeve, 4 µm pressed, 250 balls of 4 mm on 100 mm [N/µm]"
-    source = "Noël (2013), ch. IV: 896 N/µm; its balls and shaft are ours"
+    what = (
+        "radial stiffness of a ball sleeve, interference 4 µm, 250 balls of 4 mm on 100 mm [N/µm]"
+    )
+    source = "Noël (2013), ch. IV: 896 N/µm; balls and shaft are assumed here"
     return [Row(what, (float(guide.stiffness) * MICRON,), 2e-3, source, (896,))]
 
 

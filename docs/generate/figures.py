@@ -1,4 +1,4 @@
-"""The flagship's figures as the run leaves them, with fewer colours so that they stay small."""
+"""Figures of a run of the flagship, with fewer colours so that the files are small."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The MFW 2310 solved once, rigid and flexible, and what its tables and rows are made of."""
+"""The MFW 2310 solved once, rigid and flexible, and the tables and rows of its results."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ class Flagship:
         return float(np.interp(rpm * RPM, found.speed, found.tangent[:, column])) / 1e6
 
     def deviation(self, rpm: float, variant: str) -> float:
-        """A variant beside the full tangent [%]."""
+        """Deviation of a variant from the full tangent [%]."""
         return 100.0 * (self.tangent(rpm, variant) / self.tangent(rpm) - 1.0)
 
     def shift(self, station: str) -> float:
@@ -61,9 +61,9 @@ class Flagship:
 
 @cache
 def flagship(*, fitted: bool = False) -> Flagship:
-    """Solve the case as it stands, and with a rigid rotor at rest and at top speed.
+    """Solve the case unchanged, and with a rigid rotor at rest and at top speed.
 
-    ``fitted``: with the VEX 60 that the rotor was fitted with, of which independent values are.
+    ``fitted``: with the VEX 60 that the rotor was fitted with; the independent values are for it.
     """
     case = _case(fitted=fitted)
     rigid = _at_both_ends(replace(case.conditions, rotor="rigid"), fitted=fitted)
@@ -71,7 +71,7 @@ def flagship(*, fitted: bool = False) -> Flagship:
 
 
 def under(reference: Reference) -> Mapping[str, Any]:
-    """Results under the conditions that a known value of the machine was found with."""
+    """Results under the conditions of a known value of the machine."""
     case, results = flagship().case, flagship().results
     conditions = replace(case.conditions, **reference.conditions)
     return results if conditions == case.conditions else _at_both_ends(conditions)
@@ -79,7 +79,7 @@ def under(reference: Reference) -> Mapping[str, Any]:
 
 @cache
 def _at_both_ends(conditions: Conditions, *, fitted: bool = False) -> Mapping[str, Any]:
-    """The case at rest and at top speed under other conditions, receptances aside."""
+    """The case at rest and at top speed under other conditions, without receptances."""
     case = _case(fitted=fitted)
     asked = {name: spec for name, spec in case.analyses.items() if name != "frf"}
     return solve(replace(case, speeds=(0.0, TOP), conditions=conditions, analyses=asked)).results
@@ -97,7 +97,7 @@ def _case(*, fitted: bool = False) -> Case:
 
 
 def bearing_table() -> str:
-    """The flagship with the VEX 60 its rotor was fitted with, and with the maker's."""
+    """The flagship with the VEX 60 that its rotor was fitted with, and with that of the maker."""
     old, new = flagship(fitted=True), flagship()
 
     def each(what: str, value: Callable[[Flagship], str]) -> tuple[str, str, str]:
@@ -124,14 +124,18 @@ def bearing_table() -> str:
 
 
 def rest_rows() -> list[Row]:
-    """At rest, where the bearing model leaves no room."""
+    """At rest, where results do not depend on the hypotheses of the bearing model."""
     known = flagship(fitted=True)
     return [
         _row("rigid rotor, radial modes [Hz]", _modes(known.rigid, 0.0), (1083.0, 1523.0)),
         _row("rigid rotor, stiffness at Oc2 [N/µm]", (known.tangent(0, rigid=True),), (458.0,)),
         _row("bending modes [Hz]", _modes(known.results, 0.0)[:4], (903.4, 1349.0, 1587.0, 2859.0)),
         _row("stiffness at Oc2, full K [N/µm]", (known.tangent(0),), (142.7,)),
-        _row("diagonal K instead [%]", (known.deviation(0, "diagonal"),), (-14.6,)),
+        _row(
+            "diagonal K, deviation of the stiffness [%]",
+            (known.deviation(0, "diagonal"),),
+            (-14.6,),
+        ),
         _row("torsion, free-free [Hz]", (_torsion(known.results),), (2974.0,)),
     ]
 
@@ -164,7 +168,12 @@ def speed_rows() -> list[Row]:
             (475.2, 946.7),
             0.01,
         ),
-        _row("24 krpm: diagonal K, constant preload [%]", variants, (-11.95, -63.4), 0.01),
+        _row(
+            "24 krpm: diagonal K, constant preload, deviation of the stiffness [%]",
+            variants,
+            (-11.95, -63.4),
+            0.01,
+        ),
         _row(
             "24 krpm, shift by shortening at d/e, c, nose [µm]",
             tuple(known.shift(point) for point in ("O3", "O2", "nose_face")),
@@ -181,7 +190,7 @@ def _row(
 
 
 def _modes(results: Mapping[str, Any], speed: float) -> tuple[float, ...]:
-    """Bending frequencies [Hz], forward and backward in one."""
+    """Bending frequencies [Hz], mean of forward and backward whirl."""
     found = results["campbell"]
     if speed == 0.0:
         return tuple(float(f) for f in bending_frequencies(found, 0.0))

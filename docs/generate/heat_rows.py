@@ -1,4 +1,4 @@
-"""Friction of a bearing by every model, beside SKF's published one where that is made for."""
+"""Friction of a bearing by every model, compared with SKF's published model within its range."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from docs.generate.rows import number
 
 RPM = math.pi / 30.0
 OIL, CELSIUS = Lubricant(68e-6, 8.5e-6), 70.0  # an ISO VG 68, some 20 mm²/s
-# Like a 7210 B: 50 × 90 × 20, 40°; balls and grooves as usual for that size, not a maker's.
+# Like a 7210 B: 50 × 90 × 20, 40°; balls and grooves are usual for that size, not those of a maker.
 STEEP = AngularContactBallBearing(
     ball_diameter=12.7e-3,
     pitch_diameter=70e-3,
@@ -31,7 +31,7 @@ HEAD = ("axial load [N]:", "speed [rpm]:", "SKF [N mm]:", "`ellipse`:", "`palmgr
 
 
 # SKF catalogue 6000, p. 104: 22208 E at 3500 rpm, oil of 68 mm²/s, Grr 0.26, KZ 5.5 [N mm]. The
-# rest as remembered [M]: its loads, which give the printed Grr, factors of series 222 E, the oil
+# rest from memory [M]: its loads, which give the printed Grr, factors of series 222 E, the oil
 # 2.5 mm above the lowest contact with the drag variable VM that a chart gives for it.
 ROLLER_SPEED, ROLLER_OIL, ROLLER_FACTOR, ROLLER_SHAPE = 3500.0, 68e-6, 0.26, 5.5
 ROLLER_BORE, ROLLER_OUTSIDE = 40e-3, 80e-3
@@ -66,7 +66,7 @@ class RollerMoment(NamedTuple):
 
 
 def roller_moment() -> RollerMoment:
-    """The published example: factors by the code of ball bearings, variables of its own kind."""
+    """The published example: factors by the code of ball bearings, variables of roller bearings."""
     speed, pitch = ROLLER_SPEED * RPM, 0.5 * (ROLLER_BORE + ROLLER_OUTSIDE)
     dm, (radial, axial) = pitch * 1e3, ROLLER_LOADS
     sliding = ROLLER_S1 * dm**0.25 * (radial**4 + ROLLER_S2 * axial**4) ** (1.0 / 3.0)
@@ -85,7 +85,7 @@ def roller_moment() -> RollerMoment:
 
 
 def published_heat_table() -> str:
-    """The one published friction moment that names all it is made of."""
+    """The published friction moment whose parts are all given."""
     found = roller_moment()
     computed = found.inlet, found.starved, found.bare
     rows = [
@@ -110,7 +110,7 @@ def published_heat_table() -> str:
 
 
 def heat_table() -> str:
-    """Moments of the models and their deviation from SKF's."""
+    """Moments of the models and their deviation from that of SKF."""
     return table(HEAD, [_row(speed, load) for speed, load in CASES])
 
 

@@ -1,4 +1,4 @@
-"""The MFW 2310 identified anew, beside its thesis and what was measured; random twins."""
+"""The MFW 2310 identified again, compared with the thesis and with measurements; synthetic data."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from rotordyn.study.identification.read import read_identification
 from rotordyn.study.identification.solve import identified
 
 STUDY = ROOT / "cases" / "identification" / "mfw2310.yaml"
-# D. Noël, doctoral thesis, 2013, table 3.7, and what was measured there.
+# D. Noël, doctoral thesis, 2013, table 3.7, and measured values.
 THESIS = {
     "P1": "574",
     "P2": "528",
@@ -31,7 +31,7 @@ THESIS = {
     "shift d e": "−42.8",
 }
 NOTES = {
-    "P1": "sum 1200 N, friction in it",
+    "P1": "sum 1200 N, including friction",
     "Kp1": "sum 12.0 N/µm beyond unloading",
     "friction": "half of the loop",
     "shift c": "−4.37 by 3D finite elements",
@@ -41,28 +41,28 @@ MODES = ((4000, "1000–1150"), (24000, "910–920"))
 
 
 @cache
-def anew() -> Identification:
+def again() -> Identification:
     """The study solved."""
     return identified(read_identification(STUDY), workers=1)
 
 
 def identified_table() -> str:
-    """Thesis, ours with intervals, measured."""
-    best = anew().explained
+    """Values of the thesis, identified values with intervals, measured values."""
+    best = again().explained
     rows = []
     for unknown, word in zip(best.problem.unknowns, best.sure.words, strict=True):
         k = best.problem.unknowns.index(unknown)
         value = unknown.shown(float(best.sure.values[k]))
         low, high = (unknown.shown(float(end)) for end in best.sure.interval[k])
-        ours = f"{_plain(value)} ({_plain(low)} to {_plain(high)})"
+        cell = f"{_plain(value)} ({_plain(low)} to {_plain(high)})"
         name = unknown.heading
-        rows.append((name, THESIS[unknown.name], ours, word, NOTES.get(unknown.name, "")))
-    return table(("", "thesis, phase 6:", "ours (95 %):", "", "measured, or known"), rows)
+        rows.append((name, THESIS[unknown.name], cell, word, NOTES.get(unknown.name, "")))
+    return table(("", "thesis, phase 6:", "identified (95 %):", "", "measured or known"), rows)
 
 
 def predicted_table() -> str:
-    """What was measured, beside thesis and our machine."""
-    found, rows = anew(), []
+    """Measured values and those of the identified machine."""
+    found, rows = again(), []
     best = found.explained
     for measurement, residual in zip(best.problem.measurements, best.residuals, strict=True):
         data = measurement.data
@@ -86,7 +86,7 @@ def predicted_table() -> str:
         values = sorted(row[np.array(bending) & np.isfinite(row)].tolist())[:4]
         words = ", ".join(f"{value:.0f}" for value in values)
         rows.append((f"lowest bending modes at {rpm} rpm [Hz]", f"{measured} (dominant)", words))
-    return table(("", "measured:", "our machine:"), rows)
+    return table(("", "measured:", "identified machine:"), rows)
 
 
 def _plain(value: float) -> str:
@@ -96,11 +96,11 @@ def _plain(value: float) -> str:
 def draw_identified() -> None:
     """Figures of the study."""
     for name in ("measured", "correlation"):
-        keep_figure(anew().plot(name), f"mfw2310_identified_{name}")
+        keep_figure(again().plot(name), f"mfw2310_identified_{name}")
 
 
-def twins_table(found: dict[str, Any]) -> str:
-    """What random twins showed, as measured last."""
+def synthetic_table(found: dict[str, Any]) -> str:
+    """Identification of random machines from synthetic data, as measured last."""
     names = ("P1", "P2", "Kp1", "Kp2", "stop", "friction", "Δu0", "Δu24", "fo")
     half = 100.0 * found["stiffness half interval"]
     mean, error = (100.0 * found[f"stiffness {word}"] for word in ("mean", "error of the mean"))
@@ -111,17 +111,17 @@ def twins_table(found: dict[str, Any]) -> str:
             f"radial stiffness at 24 000 rpm within its 95 % interval (median ± {half:.1f} %)",
             str(found["stiffness covered"]),
         ),
-        ("that within 2 %", str(found["stiffness within 2 %"])),
-        ("largest difference of that", f"{100.0 * found['stiffness off']:.1f} %"),
+        ("radial stiffness within 2 %", str(found["stiffness within 2 %"])),
+        ("largest difference of the radial stiffness", f"{100.0 * found['stiffness off']:.1f} %"),
         (
-            "mean difference, and its standard error",
+            "mean difference and its standard error",
             f"{mean:.2f} ± {error:.2f} %".replace("-", "−"),
         ),
-        ("true hypothesis survives", str(found["true survives"])),
-        ("a false one (kinematics or sharing) survives too", str(found["false survives"])),
+        ("true hypothesis is retained", str(found["true retained"])),
+        ("a false one (kinematics or sharing) is retained too", str(found["false retained"])),
         (
             "seconds of one fit, median and longest",
             f"{found['seconds']:.1f}, {found['longest']:.0f}",
         ),
     ]
-    return table((f"of {found['twins']} machines", ""), rows)
+    return table((f"of {found['machines']} machines", ""), rows)

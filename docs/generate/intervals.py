@@ -1,4 +1,4 @@
-"""Ranges over tolerances beside random machines, and what hypotheses cost, as measured last."""
+"""Ranges over tolerances and those of random machines; time of hypotheses; as measured last."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Any
 
 from docs.generate.marked import table
 
-LIMIT = 0.05  # of the width of the range: how far few runs may be off
+LIMIT = 0.05  # of the width of the range: allowed difference of few runs
 
 
 def interval_parts(found: dict[str, Any]) -> dict[str, str]:
@@ -15,7 +15,7 @@ def interval_parts(found: dict[str, Any]) -> dict[str, str]:
 
 
 def _ranges(found: dict[str, Any]) -> str:
-    head = ("case", "number", "nominal:", "from few runs:", "random machines:", "apart:", "")
+    head = ("case", "quantity", "nominal:", "from few runs:", "random machines:", "difference:", "")
     rows = []
     for name, each in found.items():
         if name == "costs":
@@ -25,7 +25,7 @@ def _ranges(found: dict[str, Any]) -> str:
         for place, line in enumerate(each["lines"]):
             few, drawn = (f"{a:.4g} to {b:.4g}" for a, b in (line["few"], line["random"]))
             apart, far = f"{100.0 * line['error']:.1f} %", line["error"] > LIMIT
-            none = f"{100.0 * line['without']:.0f} % without" if line["without"] else ""
+            none = f"{100.0 * line['without']:.0f} % without a solution" if line["without"] else ""
             words = ", ".join(filter(None, (_far(line) if far else "", none)))
             nominal = f"{line['nominal']:.4g}"
             rows.append(("" if place else runs, line["number"], nominal, few, drawn, apart, words))
@@ -33,13 +33,13 @@ def _ranges(found: dict[str, Any]) -> str:
 
 
 def _far(line: dict[str, float]) -> str:
-    """That few runs are far off, and how far beside the error of the sample."""
+    """Words on a large difference of few runs, relative to the error of the sample."""
     times, sampling = line["error"] / line["sampling"], 100.0 * line["sampling"]
     return f"**more than 5 %**, {times:.1f} times the sampling error of {sampling:.1f} %"
 
 
 def _costs(lines: list[dict[str, float]]) -> str:
-    head = ("combinations:", "one run [s]:", "interval [s]:", "both, over one run:")
+    head = ("combinations:", "one run [s]:", "interval [s]:", "run with interval over one run:")
     rows = [
         (
             str(round(line["combinations"])),

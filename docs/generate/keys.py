@@ -1,4 +1,4 @@
-"""The reference of all keys, read off the descriptions that files are read as."""
+"""The reference of all keys, written from the descriptions that files are read as."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def pages() -> dict[str, list[type]]:
 
 
 def _held(kind: type) -> Iterator[type]:
-    """Descriptions that a mapping holds in turn."""
+    """Descriptions of the mappings within a mapping."""
     if kind is BallBearing:
         yield from map(kind_class, KINDS)
         return

@@ -1,4 +1,4 @@
-"""Published and measured values beside ours, each found under the conditions of the known one."""
+"""Published and measured values and computed ones under the same conditions."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from rotordyn.results.display import shown
 from rotordyn.results.known import Match
 from rotordyn.scene.conditions import Conditions
 
-HEAD = ("quantity", "kind", "speed [rpm]:", "known:", "ours:", "why they may differ")
+HEAD = ("quantity", "kind", "speed [rpm]:", "known:", "computed:", "reasons for differences")
 
 
 def comparison_table(known: Flagship) -> str:
@@ -25,7 +25,7 @@ def comparison_table(known: Flagship) -> str:
 
 
 def _found(known: Flagship) -> list[Match]:
-    """What can be compared, each with the results under its own conditions."""
+    """Values that can be compared, each with the results under its own conditions."""
     spindle = known.spindle
     found = (matches([r], under(r), spindle) for r in dict.fromkeys(spindle.references))
     return [item for items in found for item in items]
@@ -35,7 +35,7 @@ def _lines(item: Match, own: Conditions) -> list[tuple[str, ...]]:
     reference, unit = item.reference, shown(QUANTITIES[item.reference.quantity])
     name = _called(reference)
     lines: list[tuple[str, ...]] = []
-    for k, (speed, value, ours) in enumerate(
+    for k, (speed, value, computed) in enumerate(
         zip(reference.speeds, reference.values, item.values, strict=True)
     ):
         first = k == 0
@@ -45,7 +45,7 @@ def _lines(item: Match, own: Conditions) -> list[tuple[str, ...]]:
                 reference.kind if first else "",
                 f"{speed * 30.0 / math.pi:.0f}",
                 number(value * unit.factor),
-                number(ours * unit.factor) if np.isfinite(ours) else "–",
+                number(computed * unit.factor) if np.isfinite(computed) else "–",
                 " ".join(reference.remark.split()) if first else "",
             )
         )
@@ -57,14 +57,14 @@ def _called(reference: Reference) -> str:
 
 
 def _modelled(reference: Reference, own: Conditions) -> str:
-    """The conditions it was found with where they are not those of the case."""
+    """The conditions of the known value that differ from those of the case."""
     other = (f"`{k}: {v}`" for k, v in reference.conditions.items() if getattr(own, k) != v)
     return "".join(f", {words}" for words in other)
 
 
 def omitted(known: Flagship) -> str:
-    """Known values that nothing is computed for, as a sentence."""
+    """Known values without a computed one, as a sentence."""
     compared = {item.reference for item in _found(known)}
     rest = [r for r in known.spindle.references if r not in compared]
     names = dict.fromkeys(map(_called, rest))
-    return "Kept in the model without a computed value beside it: " + ", ".join(names) + "."
+    return "Values in the model without a computed counterpart: " + ", ".join(names) + "."

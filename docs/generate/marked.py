@@ -1,4 +1,4 @@
-"""Parts of a page that a machine writes, each between two markers named alike."""
+"""Generated parts of a page, each between two markers of the same name."""
 
 from __future__ import annotations
 

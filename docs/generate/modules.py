@@ -1,4 +1,4 @@
-"""Which page of the theory explains which module, read from the links of the pages."""
+"""Table of modules and the pages of theory that explain them, read from the links of the pages."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from pathlib import Path
 from docs.generate.marked import table
 from docs.generate.places import ROOT, THEORY
 
-ROOMS = ("bearings", "bearings/catalogue", "rotordyn/equation", "rotordyn/equation/elements")
-ROOMS += tuple(f"rotordyn/{r}" for r in ("preload", "numerics", "surface"))
-ROOMS += tuple(f"rotordyn/{r}" for r in ("results", "scene", "modes", "analyses", "analyses/*"))
+PACKAGES = ("bearings", "bearings/catalogue", "rotordyn/equation", "rotordyn/equation/elements")
+PACKAGES += tuple(f"rotordyn/{r}" for r in ("preload", "numerics", "surface"))
+PACKAGES += tuple(f"rotordyn/{r}" for r in ("results", "scene", "modes", "analyses", "analyses/*"))
 # Array types, checks, what a case specifies and how a result is reported need no theory.
 PLAIN = {
     "arguments",
@@ -33,8 +33,8 @@ _LINK = re.compile(r"\]\(((?:\.\./)+[\w/]+\.py)\)")
 
 
 def modules() -> list[Path]:
-    """Every public module of the rooms that compute."""
-    found = (path for room in ROOMS for path in sorted(ROOT.glob(f"{room}/*.py")))
+    """Every public module of the packages that compute."""
+    found = (path for package in PACKAGES for path in sorted(ROOT.glob(f"{package}/*.py")))
     return [path for path in found if not path.name.startswith("_") and path.stem not in PLAIN]
 
 
@@ -50,14 +50,14 @@ def explained() -> dict[Path, list[Path]]:
 
 
 def module_table() -> str:
-    """One line per module, as the first page of the theory shows it."""
+    """One line per module, for the first page of the theory."""
     lines = []
     for module, pages in explained().items():
         path = module.relative_to(ROOT).as_posix()
         link = f"[`{path}`]({posixpath.relpath(path, 'docs/theory')})"
         found = ", ".join(f"[{title(page)}]({page.name})" for page in pages)
         lines.append((link, found or "–", first_line(module)))
-    return table(("module", "page", "what it is"), lines)
+    return table(("module", "page", "content"), lines)
 
 
 def title(page: Path) -> str:
@@ -67,5 +67,5 @@ def title(page: Path) -> str:
 
 def first_line(path: Path) -> str:
     """First line of a module's docstring."""
-    said = ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))) or ""
-    return said.partition("\n")[0]
+    docstring = ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))) or ""
+    return docstring.partition("\n")[0]

@@ -1,4 +1,4 @@
-"""Which page gets which generated parts."""
+"""Generated parts of every page."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from docs.generate.identified import (
     draw_identified,
     identified_table,
     predicted_table,
-    twins_table,
+    synthetic_table,
 )
 from docs.generate.keys import key_tables
 from docs.generate.known import comparison_table, omitted
@@ -29,25 +29,25 @@ from docs.generate.places import DOCS, THEORY
 from docs.generate.random_networks import random_networks
 from docs.generate.ring_rows import thesis_table, walls_table
 from docs.generate.rotor_rows import rotor_rows
-from docs.generate.rotor_twins import rotor_twins
 from docs.generate.rows import HEAD, Row
 from docs.generate.snippets import write_snippets
+from docs.generate.synthetic_rotors import synthetic_rotors
 from docs.generate.times import benchmark_parts, measured
 
 
 def write_accuracy() -> None:
-    """Published and independent values beside ours."""
+    """Published and independent values compared with computed ones."""
     rows = [*bearing_rows(), *rotor_rows(), *rest_rows(), *speed_rows()]
     rewrite(DOCS / "accuracy.md", {"accuracy": _accuracy(rows)})
 
 
 def write_flagship() -> None:
-    """The flagship beside what is published, measured, and found by others."""
+    """The flagship compared with published, measured and independent values."""
     known = flagship()
     fresh = {
         "comparison": comparison_table(known),
         "bearings": bearing_table(),
-        "left-out": omitted(known),
+        "omitted": omitted(known),
         "rest": _accuracy(rest_rows()),
         "speed": _accuracy(speed_rows()),
         "axial": axial_table(),
@@ -62,35 +62,35 @@ def write_keys() -> None:
 
 
 def write_bending() -> None:
-    """What formulation and axial force do to the flagship."""
+    """Effect of formulation and axial force on the flagship."""
     rewrite(DOCS / "formulations.md", {"formulations": formulation_table()})
     fresh = {"axial-force": axial_force_spans(), "axial-stiffening": axial_force_table()}
     rewrite(DOCS / "theory" / "axial_force.md", fresh)
 
 
 def write_choosing() -> None:
-    """What the choices of a case change."""
+    """Effect of the choices of a case."""
     rewrite(DOCS / "howto" / "hypotheses.md", {"choices": choice_table(), "linear": linear_table()})
 
 
 def write_coupled() -> None:
-    """What damping does to a coupled tool."""
+    """Effect of damping on a coupled tool."""
     rewrite(DOCS / "howto" / "measured_spindle.md", {"damping": damping_table()})
 
 
 def write_theory() -> None:
-    """Which page explains which module."""
+    """Pages that explain the modules."""
     rewrite(THEORY / "README.md", {"modules": module_table()})
 
 
 def write_rings() -> None:
-    """Rings that deform, beside published ones and beside rigid ones."""
+    """Flexible rings, compared with published ones and with rigid ones."""
     fresh = {"thesis": thesis_table(), "walls": walls_table()}
     rewrite(THEORY / "flexible_rings.md", fresh)
 
 
 def write_heat() -> None:
-    """Friction by every model, and published values beside ours."""
+    """Friction by every model, and published values compared with computed ones."""
     fresh = {
         "heat": heat_table(),
         "published-heat": published_heat_table(),
@@ -99,44 +99,44 @@ def write_heat() -> None:
     rewrite(THEORY / "life.md", fresh)
 
 
-def write_rotor_twins() -> None:
-    """Random rotors identified from their responses."""
-    fresh = {"identified-rotors": rotor_twins(measured()["rotor_twins"])}
+def write_synthetic_rotors() -> None:
+    """Random rotors identified from synthetic responses."""
+    fresh = {"identified-rotors": synthetic_rotors(measured()["synthetic_rotors"])}
     rewrite(THEORY / "rotor_from_responses.md", fresh)
 
 
 def write_networks() -> None:
-    """Random networks with friction, as surveyed last."""
+    """Random networks with friction, from the last survey."""
     fresh = {"random-networks": random_networks(measured()["random_networks"])}
     rewrite(THEORY / "network.md", fresh)
 
 
 def write_debongnie() -> None:
-    """Power laws of Debongnie's approximation, and how far it is off."""
+    """Power laws of Debongnie's approximation and its errors."""
     rewrite(THEORY / "debongnie.md", {"power-laws": law_table(), "errors": error_table()})
 
 
 def write_benchmarks() -> None:
-    """Times, from what was measured last."""
+    """Times of the last measurement."""
     rewrite(DOCS / "benchmarks.md", benchmark_parts(measured()))
 
 
 def write_identified() -> None:
-    """The flagship identified anew, with its figures."""
+    """The flagship identified again, with its figures."""
     fresh = {"identified": identified_table(), "predicted": predicted_table()}
     rewrite(DOCS / "mfw2310.md", fresh)
     draw_identified()
 
 
-def write_twins() -> None:
-    """Random twins, as measured last."""
+def write_synthetic() -> None:
+    """Identification from synthetic data, as measured last."""
     rewrite(
-        THEORY / "identification.md", {"found-again": twins_table(measured()["identification"])}
+        THEORY / "identification.md", {"synthetic": synthetic_table(measured()["identification"])}
     )
 
 
 def write_outputs() -> None:
-    """What commands and code of the pages print, and figures of their runs."""
+    """Output of the commands and the code of the pages, and figures of their runs."""
     with tempfile.TemporaryDirectory() as folder:
         write_snippets(Path(folder))
 
@@ -148,14 +148,14 @@ PAGES: dict[str, Callable[[], None]] = {
     "docs/theory/flexible_rings.md": write_rings,
     "docs/theory/life.md": write_heat,
     "docs/theory/network.md": write_networks,
-    "docs/theory/rotor_from_responses.md": write_rotor_twins,
+    "docs/theory/rotor_from_responses.md": write_synthetic_rotors,
     "docs/benchmarks.md": write_benchmarks,
     "docs/formulations.md, docs/theory/axial_force.md": write_bending,
     "docs/howto/hypotheses.md": write_choosing,
     "docs/howto/measured_spindle.md": write_coupled,
     "docs/mfw2310.md": write_flagship,
-    "docs/mfw2310.md, identified anew": write_identified,
-    "docs/theory/identification.md": write_twins,
+    "docs/mfw2310.md, identified again": write_identified,
+    "docs/theory/identification.md": write_synthetic,
     "docs/accuracy.md": write_accuracy,
     "README.md, docs/tutorial, docs/howto, docs/reference": write_outputs,
 }

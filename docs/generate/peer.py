@@ -1,4 +1,4 @@
-"""The same work side by side with a peer (``python -m benchmarks.peer``) as tables."""
+"""Comparison of computing times with ROSS (``python -m benchmarks.peer``) as tables."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from benchmarks.peer import machine
 from docs.generate.marked import table
 
 Measured = dict[str, Any]
-# Work -> how often faster we mean to be, isotropic and general; its name on the page.
+# Work -> target of the ratio of times, isotropic and general; its name on the page.
 TARGETS = {
     "campbell": (300.0, 60.0),
     "one response": (4000.0, 800.0),
@@ -26,7 +26,7 @@ FEWER_ERRORS = {"map of one response": "one response"}
 
 
 def peer_parts(found: Measured) -> dict[str, str]:
-    """The parts of the page on the peer."""
+    """The parts of the page on the comparison."""
     return {
         "peer-versions": _versions(found),
         "peer-times": _times(found),
@@ -38,7 +38,7 @@ def peer_parts(found: Measured) -> dict[str, str]:
 def _versions(found: Measured) -> str:
     ours, theirs = (_named(side) for side in (found, found["peer"]))
     busy = "" if found["busy"] is None else f" Load average at the start: {found['busy']:.1f}."
-    return f"Ours: {ours}. The peer's: {theirs}.{busy}"
+    return f"With rotordyn: {ours}. With ROSS: {theirs}.{busy}"
 
 
 def _named(side: Measured) -> str:
@@ -47,7 +47,7 @@ def _named(side: Measured) -> str:
 
 
 def peer_seconds(theirs: Measured, kind: str, work: str) -> float:
-    """Seconds of a whole work of the peer, from what one speed or one frequency takes."""
+    """Seconds of a whole work of the peer, from the time of one speed or one frequency."""
     line = next(own for own in theirs["works"] if own["kind"] == kind)
     if work == "campbell":
         return float(line["per_speed"] * len(machine.SPEEDS))
@@ -58,7 +58,16 @@ def peer_seconds(theirs: Measured, kind: str, work: str) -> float:
 
 
 def _times(found: Measured) -> str:
-    head = ("work", "bearings", "threads:", "ours", "ours [s]:", "peer [s]:", "ratio:", "target:")
+    head = (
+        "work",
+        "bearings",
+        "threads:",
+        "setting",
+        "rotordyn [s]:",
+        "ROSS [s]:",
+        "ratio:",
+        "target:",
+    )
     rows = [
         (NAMES[line["work"]], line["kind"], number, line["setting"], *_compared(line, both))
         for number, both in found["threads"].items()
@@ -82,13 +91,13 @@ def _errors(found: Measured) -> str:
     head = (
         "work",
         "bearings",
-        "side",
+        "computed by",
         "true error:",
-        "the largest:",
-        "against a dense solve:",
+        "largest error:",
+        "against a dense solution:",
     )
     rows = [
-        (NAMES[work], kind, side, *_error(own[work]))
+        (NAMES[work], kind, _side(side), *_error(own[work]))
         for work in NAMES
         if work not in FEWER_ERRORS
         for kind, sides in found["errors"].items()
@@ -96,6 +105,10 @@ def _errors(found: Measured) -> str:
         if work in own
     ]
     return table(head, rows)
+
+
+def _side(name: str) -> str:
+    return "ROSS" if name == "peer" else f"rotordyn, {name}"
 
 
 def _error(own: Measured) -> tuple[str, str, str]:
@@ -110,12 +123,15 @@ def _starts(found: Measured) -> str:
         kind = line["kind"]
         whole = starts["import ross"] + line["build"] + peer_seconds(theirs, kind, "campbell")
         what = f"Campbell diagram from the start of Python, {kind}"
-        rows.append((f"{what}: ours", f"{starts[f'Campbell, {kind}']:.3g}"))
-        rows.append((f"{what}: the peer's", f"{whole:.3g}"))
+        rows.append((f"{what}: rotordyn", f"{starts[f'Campbell, {kind}']:.3g}"))
+        rows.append((f"{what}: ROSS", f"{whole:.3g}"))
     first = theirs["works"][0]
     rows += [
-        ("the peer's Campbell diagram at rest alone, isotropic", f"{theirs['at_rest']:.3g}"),
-        ("its FRF at a speed, per frequency", f"{first['per_frequency']:.3g}"),
-        ("its FRF turning at the frequency, per frequency", f"{first['synchronous']:.3g}"),
+        ("ROSS: Campbell diagram at rest alone, isotropic", f"{theirs['at_rest']:.3g}"),
+        ("ROSS: FRF at one speed, per frequency", f"{first['per_frequency']:.3g}"),
+        (
+            "ROSS: FRF with rotation at the frequency of the force, per frequency",
+            f"{first['synchronous']:.3g}",
+        ),
     ]
     return table(("process or call", "time [s]:"), rows)

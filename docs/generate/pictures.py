@@ -1,5 +1,5 @@
-"""Figures of the documents: half the resolution of a report and few colours, so that they stay
-small."""
+"""Figures of the documents: half the resolution of a report and few colours, so that the
+files are small."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def keep_figure(figure: Figure, name: str) -> None:
 
 
 def keep_file(drawn: Path, name: str) -> None:
-    """A figure from a file, likewise."""
+    """A figure from a file, in the same form."""
     from PIL import Image
 
     with Image.open(drawn) as full:

@@ -1,4 +1,4 @@
-"""Time against true error, drawn from what was measured last."""
+"""Time against true error, drawn from the last measurement."""
 
 from __future__ import annotations
 

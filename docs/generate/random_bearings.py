@@ -1,4 +1,4 @@
-"""What random bearings came to (``python -m benchmarks.random_bearings``) as tables."""
+"""Results of random bearings (``python -m benchmarks.random_bearings``) as tables."""
 
 from __future__ import annotations
 
@@ -8,6 +8,12 @@ from docs.generate.marked import table
 
 Found = dict[str, Any]
 LAWS = ("hybrid", "outer", "inner", "geometric")
+STATUSES = {  # words of the table -> status of a ball
+    "loaded": "loaded",
+    "loaded on the side without a shoulder": "open side",
+    "lost contact": "lost contact",
+    "unloaded": "unloaded",
+}
 
 
 def random_bearings(found: Found) -> str:
@@ -23,13 +29,13 @@ def random_bearings(found: Found) -> str:
         ),
         ("no contact angle", "–", _share(rings, "no contact angle")),
         *(
-            (f"balls: {name}", *(_status(f, name) for f, _, _ in both))
-            for name in ("loaded", "open side", "lost contact", "unloaded")
+            (f"balls: {name}", *(_status(f, status) for f, _, _ in both))
+            for name, status in STATUSES.items()
         ),
         ("solved below 5 GPa", *(_share(f, "below 5 GPa", "solved") for f, _, _ in both)),
         ("a contact beyond 90°", *(_share(f, wide, "solved") for f, _, wide in both)),
-        ("numbers not finite", *(str(f["not finite"]) for f, _, _ in both)),
-        ("contacts that pull", *(str(f["tensile"]) for f, _, _ in both)),
+        ("non-finite numbers", *(str(f["not finite"]) for f, _, _ in both)),
+        ("contacts in tension", *(str(f["tensile"]) for f, _, _ in both)),
         (
             "largest residual of a ball",
             f"{balls['worst']['force']:.0e}",
@@ -43,19 +49,19 @@ def random_bearings(found: Found) -> str:
         ),
         ("largest gap of the geometry", *(f"{f['worst']['gap']:.0e}" for f in (balls, rings))),
         ("gaps above 10⁻¹²", *(str(f["not closed"]) for f in (balls, rings))),
-        ("K against differences: states", "–", _count(rings["tangents"])),
+        ("K against finite differences: states", "–", _count(rings["tangents"])),
         (
-            "of these decided with more digits",
+            "of these decided in extended precision",
             "–",
             str(rings["tangents decided in extended precision"]),
         ),
-        ("K off by more than 10⁻⁶", "–", str(rings["tangents off by more than 1e-6"])),
-        ("K against differences: worst", "–", f"{rings['worst']['tangent']:.0e}"),
+        ("K with an error above 10⁻⁶", "–", str(rings["tangents off by more than 1e-6"])),
+        ("K against finite differences: largest error", "–", f"{rings['worst']['tangent']:.0e}"),
         ("K at rest: states", "–", _count(rings["at rest"])),
         ("K at rest: asymmetry", "–", f"{rings['worst']['asymmetry at rest']:.0e}"),
         ("time per state [µs]", f"{balls['microseconds']:.0f}", _times(rings["microseconds"])),
     ]
-    return table(("what", "single balls:", "bearings:"), rows)
+    return table(("quantity", "single balls:", "bearings:"), rows)
 
 
 def random_paths(found: Found) -> str:
@@ -76,15 +82,15 @@ def random_paths(found: Found) -> str:
             str(ends["states at all speeds below"]),
         ),
         (
-            "bearings refused with states again above it: reported",
+            "bearings refused with further states above that speed: these are reported",
             str(ends["states again above"]),
-            str(ends["states again above, told"]),
+            str(ends["states again above, reported"]),
         ),
     ]
     starts, sweeps, held = found["starts"], found["sweeps"], found["friction_sweeps"]
     rows += [
         (
-            "the same from the state of another load and speed",
+            "same state from the state of another load and speed",
             str(starts["states"]),
             str(starts["states"] - starts.get("differing", 0)),
         ),
@@ -94,12 +100,12 @@ def random_paths(found: Found) -> str:
             str(sweeps["sweeps"] - sweeps["with a jump"]),
         ),
         (
-            f"the same with friction up to {found['friction']['friction']:g}",
+            f"as above, with friction up to {found['friction']['friction']:g}",
             str(held["sweeps"]),
             str(held["sweeps"] - held["with a jump"]),
         ),
     ]
-    return table(("what", "looked at:", "confirmed:"), rows)
+    return table(("check", "cases:", "confirmed:"), rows)
 
 
 def random_kinds(found: Found) -> str:
@@ -116,8 +122,8 @@ def random_kinds(found: Found) -> str:
                 f"{max(f['worst'][k] for k in ('ball', 'ring')):.0e}",
             )
         )
-    head = ("kind", "states:", "refused:", "not finite:", "tensile:", "above 1e-9:")
-    return table((*head, "changed by another start:", "worst balance:"), rows)
+    head = ("kind", "states:", "refused:", "not finite:", "in tension:", "residual above 1e-9:")
+    return table((*head, "changed by another start:", "largest residual:"), rows)
 
 
 def random_friction(found: Found) -> str:
@@ -136,7 +142,7 @@ def random_friction(found: Found) -> str:
 
 
 def plain_newton(balls: Found) -> str:
-    """What the usual iteration on four unknowns finds."""
+    """Results of the usual iteration on four unknowns."""
     names = ("physical", "tensile", "other", "failed")
     rows = [
         (

@@ -1,4 +1,4 @@
-"""Rings that deform: the bearing of Lacroix' thesis, and what they change in two spindles."""
+"""Flexible rings: the bearing of Lacroix' thesis, and their effect on two spindles."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from docs.generate.marked import table
 from docs.generate.places import ROOT
 from docs.generate.rows import number
 
-LOADS = {  # kN along and across the axis, and what tables 4.10 to 4.12 print of both kinds of ring
-    "20": ((20e3, 0.0), ("250", "42.2", "1486"), ("265", "43.4", "1452")),
-    "100": ((100e3, 0.0), ("304", "45.3", "7030"), ("395", "50.9", "6408")),
-    "20, 12 across": ((20e3, 12e3), ("228, 136", "22.4", "–"), ("246, 174", "20.3", "3739")),
+LOADS = {  # axial and radial load; tables 4.10 to 4.12 for rigid and elastic rings
+    "20 kN": ((20e3, 0.0), ("250", "42.2", "1486"), ("265", "43.4", "1452")),
+    "100 kN": ((100e3, 0.0), ("304", "45.3", "7030"), ("395", "50.9", "6408")),
+    "20 kN, 12 kN radial": ((20e3, 12e3), ("228, 136", "22.4", "–"), ("246, 174", "20.3", "3739")),
 }
 
 
 def thesis_table() -> str:
-    """Deflection, contact angle and load of the ball at 0° beside the printed ones."""
+    """Deflection, contact angle and load of the ball at 0°, printed and computed."""
     case = rotordyn.load(ROOT / "cases" / "four_point_rings.yaml")
     spec: Any = case.analyses["bearing"]
     assert case.bearing is not None, "the case is one of a bearing"
@@ -32,7 +32,7 @@ def thesis_table() -> str:
             bearing = spec.mounted(case.bearing) if rings else case.bearing
             rows.append(
                 (
-                    f"{name} kN, rings {'elastic' if rings else 'rigid'}",
+                    f"{name}, rings {'elastic' if rings else 'rigid'}",
                     *(
                         cell
                         for pair in zip(known, _found(bearing, load), strict=True)
@@ -43,11 +43,11 @@ def thesis_table() -> str:
     head = (
         "load",
         "deflection [µm], thesis:",
-        "ours:",
+        "computed:",
         "angle ir [°], thesis:",
-        "ours:",
+        "computed:",
         "load ir [N], thesis:",
-        "ours:",
+        "computed:",
     )
     return table(head, rows)
 
@@ -63,7 +63,7 @@ def _found(bearing: BallBearing, load: tuple[float, float]) -> tuple[str, str, s
 
 
 def walls_table() -> str:
-    """What rings change in the flagship and in the grinding spindle, in per cent of rigid ones."""
+    """Effect of flexible rings on flagship and grinding spindle, in per cent of rigid rings."""
     rows = []
     for name, what in (("mfw2310_rings", "frequency"), ("grinding_spindle_rings", "stiffness")):
         case = rotordyn.load(ROOT / "cases" / f"{name}.yaml")
@@ -76,7 +76,7 @@ def walls_table() -> str:
                 "first bending mode" if what == "frequency" else "radial stiffness at the nose"
             )
             rows.append((f"{name}: {title}", quantity, *change))
-    return table(("case", "of", "at rest [%]:", "at top speed [%]:"), rows)
+    return table(("case", "quantity", "at rest [%]:", "at top speed [%]:"), rows)
 
 
 def _solved(case: Any, analysis: str) -> Any:

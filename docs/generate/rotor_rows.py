@@ -1,4 +1,4 @@
-"""How accurate rotors are."""
+"""Accuracy of rotors."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ BEAM, SPIN = PinnedBeam(0.5, 0.10), 2000.0
 
 
 def rotor_rows() -> list[Row]:
-    """The exact spinning beam with its rate, and a rotor of the literature."""
+    """The exact spinning beam with its rate of convergence, and a rotor of the literature."""
     coarse, fine = (_beam_error(elements) for elements in (64, 128))
     rate = tuple(float(r) for r in np.log2(coarse / fine))
     return [
@@ -36,7 +36,7 @@ def rotor_rows() -> list[Row]:
             (2.0, 2.0),
         ),
         Row(
-            "the same with 128 elements: error of the two frequencies",
+            "as above with 128 elements: errors of the two frequencies",
             tuple(float(e) for e in np.abs(fine)),
             5e-4,
             "closed form (Zu and Han, 1992)",

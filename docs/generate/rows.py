@@ -1,4 +1,4 @@
-"""One line of an accuracy table: what it should be, what we find, how far apart that is."""
+"""One line of an accuracy table: reference value, computed value, difference."""
 
 from __future__ import annotations
 
@@ -7,14 +7,21 @@ from dataclasses import dataclass
 
 Values = tuple[float, ...]
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-HEAD = ("what", "reference", "ours", "largest difference:", "allowed:", "source of the reference")
+HEAD = (
+    "quantity",
+    "reference",
+    "computed",
+    "largest difference:",
+    "allowed:",
+    "source of the reference",
+)
 
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """``expected`` values beside ``found`` ones; without ``expected``, ``found`` is an error.
+    """``expected`` and ``found`` values; without ``expected``, ``found`` is an error.
 
-    ``allowed``: largest relative difference, the gate of the test of the same name.
+    ``allowed``: largest relative difference, the limit of the test of the same name.
     """
 
     what: str
@@ -41,12 +48,12 @@ class Row:
 
 
 def numbers(values: Values) -> str:
-    """Values with four digits that count (five from 10 000 on)."""
+    """Values with four significant digits (five from 10 000 on)."""
     return ", ".join(number(value) for value in values)
 
 
 def number(value: float) -> str:
-    """One value with four digits that count."""
+    """One value with four significant digits."""
     if value == 0.0:
         return "0"
     places = max(0, 3 - math.floor(math.log10(abs(value))))
@@ -54,7 +61,7 @@ def number(value: float) -> str:
 
 
 def percent(value: float) -> str:
-    """A share in percent with two digits that count."""
+    """A ratio in percent with two significant digits."""
     return f"{100.0 * value:.2g} %"
 
 

@@ -1,4 +1,4 @@
-"""How cost grows with machine and questions, as it was measured last."""
+"""Computing time over the size of machine and analyses, as measured last."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ WORDS = {
     "speeds": "speeds of the flagship's Campbell diagram",
     "frequencies": "frequencies of its receptances at 7 speeds",
     "bearings": "bearings of a shaft, all different: preload and modes at 25 speeds",
-    "balls": "balls of a bearing under thrust, radial load and moment, a state",
+    "balls": "balls of a bearing under thrust, radial load and moment, one state",
 }
 
 
@@ -25,7 +25,7 @@ def scaling_parts(found: dict[str, Lines]) -> dict[str, str]:
 
 
 def _sections(lines: Lines) -> str:
-    """What a shaft of many sections costs."""
+    """Computing time of a shaft of many sections."""
     head = (
         "sections:",
         "modes:",
@@ -38,7 +38,7 @@ def _sections(lines: Lines) -> str:
         (
             f"{line['size']:,}".replace(",", " "),
             str(line["modes"]),
-            f"{line['told']:.0e}",
+            f"{line['reported']:.0e}",
             f"{line['first']:.2f}",
             f"{line['seconds']:.3f}",
             f"{line['memory']:.0f}",
@@ -53,8 +53,15 @@ def _sections(lines: Lines) -> str:
 
 
 def _sweeps(found: dict[str, Lines]) -> str:
-    """From the least to the most of each thing, and how time grows at the end."""
-    head = ("what is doubled", "from:", "to:", "time, first:", "time, last:", "grows with power:")
+    """Smallest and largest size of each sweep, and the growth of time at the end."""
+    head = (
+        "varied size",
+        "from:",
+        "to:",
+        "time, first:",
+        "time, last:",
+        "exponent of the time:",
+    )
     rows = []
     for name, words in WORDS.items():
         lines = found[name]

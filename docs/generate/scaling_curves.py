@@ -1,4 +1,4 @@
-"""How cost grows with machine and questions, drawn from what was measured last."""
+"""Computing time over the size of machine and analyses, drawn from the last measurement."""
 
 from __future__ import annotations
 
@@ -69,7 +69,11 @@ def scaling_figure(found: dict[str, Lines]) -> Figure:
         spent = [line["seconds"] / own[0]["seconds"] for line in own]
         others.loglog(ratio, spent, look, color=colour, ms=4.0, label=name)
     others.loglog([1.0, 16.0], [1.0, 16.0], ":", color=GREY, lw=1.0, label="linear")
-    for axes, title in ((time, "a shaft's modes"), (memory, "the same"), (others, "other sweeps")):
+    for axes, title in (
+        (time, "modes of a shaft: time"),
+        (memory, "modes of a shaft: memory"),
+        (others, "other sweeps"),
+    ):
         if axes is not memory:
             plain_ticks(axes)
         axes.set_title(title, fontsize=8.0, pad=4.0)

@@ -1,11 +1,11 @@
-"""Runs the commands and the code of a page as a reader would, in order, in one folder.
+"""Runs the commands and the code of a page in order, in one folder, as a reader would.
 
 - A block ``yaml FILE`` is written to that file; ``yaml +FILE`` is appended to it, ``csv`` likewise.
 - Each line of a block ``sh`` is a ``rotordyn`` command; it exits with 0, or with N where the line
-  ends in ``# exit code N``. A script of the repository is only looked for.
+  ends in ``# exit code N``. Of a script of the repository only the existence is checked.
 - A block ``python`` is run; all blocks of a page share their names.
 
-What a block prints is the generated part that follows it, if one does.
+The output of a block is the generated part that follows it, if there is one.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ _PARTS = re.compile(
     re.S | re.M,
 )
 DRAW = ("run", "sweep", "optimise", "identify")  # commands that draw
-# Figures of the pages: name under docs/figures -> page that runs it, file that the run leaves.
+# Figures of the pages: name under docs/figures -> page that runs it, file of the run.
 PICTURES = {
     f"grinder_{name}.png": ("tutorial/first_run.md", f"out/grinder/{name}.png")
     for name in ("machine", "campbell", "preload")
@@ -38,7 +38,7 @@ PICTURES = {
 
 class Block(NamedTuple):
     """A block of code: its language, the file it is written to if any, and the generated part
-    that shows what it prints, if any."""
+    that shows its output, if any."""
 
     language: str
     file: str
@@ -63,7 +63,7 @@ def blocks(page: str) -> Iterator[Block]:
 
 
 def run_page(page: Path, folder: Path, *, draw: bool = True) -> dict[str, str]:
-    """What the blocks of a page print, by name of the generated part.
+    """Output of the blocks of a page, by name of the generated part.
 
     ``folder``: where they run; ``draw``: commands draw their figures.
 
@@ -93,12 +93,12 @@ def _run(block: Block, names: dict[str, Any], *, draw: bool) -> str:
     elif block.language == "sh":
         return "".join(_command(line, draw=draw) for line in block.code.splitlines())
     else:
-        raise RuntimeError(f"a block that nothing runs: {block.language} {block.file}")
+        raise RuntimeError(f"a block of unknown kind: {block.language} {block.file}")
     return ""
 
 
 def _command(line: str, *, draw: bool) -> str:
-    """What a command prints, errors included."""
+    """Output of a command, errors included."""
     from rotordyn.cli import main
 
     words = shlex.split(line, comments=True)
@@ -125,7 +125,7 @@ def _command(line: str, *, draw: bool) -> str:
 
 
 def write_snippets(folder: Path) -> None:
-    """Run all pages below ``folder``, write what they print, and keep the figures they show."""
+    """Run all pages below ``folder``, write their output, and keep the figures that they show."""
     for page in snippet_pages():
         place = folder / page.stem
         place.mkdir()

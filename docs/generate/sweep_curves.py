@@ -1,4 +1,4 @@
-"""Time against true error of a preload sweep and an FRF map, drawn from what was measured last."""
+"""Time against true error of a preload sweep and an FRF map, drawn from the last measurement."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def draw_sweeps() -> None:
 
 
 def sweeps_figure(found: dict[str, Lines]) -> Figure:
-    """Preload states, and the map by its ways."""
+    """Preload states, and the map with both kinds of elements."""
     figure = new_figure(168.0, 78.0)
     boxes = grid_boxes(figure, 1, 2, margins=(16.0, 5.0, 12.0, 8.0), gaps=(16.0, 0.0))
     preload, responses = (

@@ -10,14 +10,14 @@ Lines = list[dict[str, Any]]
 
 
 def sweep_parts(found: dict[str, Lines]) -> dict[str, str]:
-    """The tables on the page of times."""
+    """The tables of the page on computing time."""
     head = ("tolerance of forces:", "true error:", "time [ms]:")
     rows = [
         (f"{r['tolerance']:.0e}", f"{r['error']:.0e}", _milliseconds(r)) for r in found["preload"]
     ]
-    wide = ("way", "asked:", "true error:", "reported error:", "time [ms]:")
+    wide = ("elements", "requested:", "true error:", "reported error:", "time [ms]:")
     lines = [
-        (r["way"], r["setting"], f"{r['error']:.1e}", f"{r['told']:.1e}", _milliseconds(r))
+        (r["way"], r["setting"], f"{r['error']:.1e}", f"{r['reported']:.1e}", _milliseconds(r))
         for r in found["map"]
     ]
     return {"precision-preload": table(head, rows), "precision-map": table(wide, lines)}

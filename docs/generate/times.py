@@ -1,4 +1,4 @@
-"""What was measured last (``benchmarks/results.json``) as tables; targets stand beside figures."""
+"""The last measurement (``benchmarks/results.json``) as tables, with targets."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def measured() -> Measured:
 
 
 def targets(found: Measured) -> str:
-    """What a user feels, each beside its target."""
+    """Times of a user's commands, each with its target."""
     walls = {p["name"]: p for p in found["processes"]}
     rows = [_timed("all solve stages together", found["solve"], SOLVE_TARGET)]
     rows += [_timed(_command(n), walls[n]["wall"], t) for n, t in WALL_TARGETS.items()]
@@ -52,7 +52,7 @@ def targets(found: Measured) -> str:
         taken = found["install"]
         size = f"{taken['seconds']:.0f} s, {taken['megabytes']:.0f} MB"
         rows.append(("installing from nothing (`scripts/environment run`)", size, "–", "stated"))
-    return table(("what", "measured:", "target:", ""), rows)
+    return table(("quantity", "measured:", "target:", ""), rows)
 
 
 def benchmark_parts(found: Measured) -> dict[str, str]:
@@ -131,7 +131,10 @@ def _frf(found: Measured) -> str:
         ("speeds × frequencies × pairs", f"{f['speeds']} × {f['frequencies']} × {f['pairs']}"),
         ("eigenvalues, once per speed", f"{f['modes']:.0f} µs per speed"),
         ("map", f"{f['point']:.3f} µs per speed and frequency, {f['pairs']} pairs together"),
-        ("against solving the same matrices anew", f"{f['error']:.0e} of the largest receptance"),
+        (
+            "error against a direct solution of the same matrices",
+            f"{f['error']:.0e} of the largest receptance",
+        ),
     ]
     return table(("", "FRF map"), rows)
 
@@ -145,8 +148,8 @@ def _page(found: Measured) -> str:
     rows = [
         ("CPU time of writing it", f"{seconds:.2f} s", *_verdict(seconds, slowest, "s")),
         ("size", f"{megabytes:.1f} MB", *_verdict(megabytes, largest, "MB")),
-        ("it is open, from disk", f"{shown:.2f} s", *_verdict(shown, longest, "s")),
-        ("and its first charts are drawn", f"{drawn:.2f} s", "", ""),
+        ("time to open it from disk", f"{shown:.2f} s", *_verdict(shown, longest, "s")),
+        ("time until its first charts are drawn", f"{drawn:.2f} s", "", ""),
     ]
     return table(("page of the flagship", "measured:", "target:", ""), rows)
 
@@ -169,11 +172,11 @@ def _ring_bodies(found: Measured) -> str:
 
 
 def _precision(found: Measured) -> str:
-    """What each setting of the elements costs and leaves as error."""
+    """Time and error of each setting of the elements."""
     head = (
         "machine",
         "elements",
-        "asked:",
+        "requested:",
         "unknowns kept:",
         "true error:",
         "reported error:",
@@ -186,7 +189,7 @@ def _precision(found: Measured) -> str:
             r["setting"],
             str(r["unknowns"]),
             f"{r['error']:.1e}",
-            f"{r['told']:.1e}",
+            f"{r['reported']:.1e}",
             f"{1e3 * r['seconds']:.0f}",
         )
         for r in found["precision"]
@@ -195,10 +198,10 @@ def _precision(found: Measured) -> str:
 
 
 def _random(found: Measured) -> str:
-    """What random rotors came to."""
+    """Results of random rotors."""
     head = (
         "sections",
-        "accuracy asked:",
+        "requested accuracy:",
         "rotors:",
         "frequencies:",
         "missing or spurious:",
@@ -224,8 +227,8 @@ def _random(found: Measured) -> str:
 
 
 def _study(found: Measured) -> str:
-    """What many variants of one machine cost."""
-    head = ("variants:", "speeds each:", "processes:", "seconds in all:", "target:", "")
+    """Computing time of many variants of one machine."""
+    head = ("variants:", "speeds each:", "processes:", "total time [s]:", "target:", "")
     s = found["study"]
     words = (f"{s['seconds']:.3g}", *_verdict(s["seconds"], STUDY_TARGET, "s"))
     text = table(head, [(str(s["count"]), str(s["speeds"]), str(s["processes"]), *words)])
@@ -234,29 +237,33 @@ def _study(found: Measured) -> str:
     after = f"Of these {lost} have no solution; a variant takes {each}."
     if b := s.get("beside"):
         after += (
-            f" That was by {b['revision']}; in turn with it a later tree took {b['ratio']:.3g} of "
-            f"its time ({b['least']:.3g} to {b['most']:.3g} in {b['pairs']} pairs of runs)."
+            f" This is the time of {b['revision']}; alternating with it, a later version took "
+            f"{b['ratio']:.3g} of its time ({b['least']:.3g} to {b['most']:.3g} in {b['pairs']} "
+            "pairs of runs)."
         )
     return f"{text}\n\n{after}"
 
 
 def _optima(found: Measured) -> str:
-    """How far optima lie behind the best of a grid."""
+    """Difference of optima from the best of a grid."""
     every = found["optima"]["problems"]
     none = sum(each["none feasible"] for each in every)
     trials = [each["trials"] for each in every]
     rows = [
-        ("problems, of these with no machine within the limits", f"{len(every)}, {none}"),
-        ("trials each", f"{min(trials)} to {max(trials)}"),
-        ("machines of the grid, at most", f"{max(each['grid'] for each in every)}"),
-        ("behind the best of the grid, at most", f"{100.0 * found['optima']['worst']:.2g} %"),
-        ("before it, at most", f"{-100.0 * min(each['behind'] for each in every):.2g} %"),
+        ("problems, of these without a machine within the limits", f"{len(every)}, {none}"),
+        ("trials per problem", f"{min(trials)} to {max(trials)}"),
+        ("machines of a grid, at most", f"{max(each['grid'] for each in every)}"),
+        ("worse than the best of the grid, at most", f"{100.0 * found['optima']['worst']:.2g} %"),
+        (
+            "better than the best of the grid, at most",
+            f"{-100.0 * min(each['behind'] for each in every):.2g} %",
+        ),
     ]
-    return table(("random design problems", "found:"), rows)
+    return table(("random design problems", "result:"), rows)
 
 
 def _random_dense(found: Measured) -> str:
-    """What random rotors on damped uneven supports came to."""
+    """Results of random rotors on damped anisotropic supports."""
     head = (
         "rotors with",
         "rotors:",

@@ -1,4 +1,4 @@
-"""What zero order errs in stable depths over the immersion, against all harmonics."""
+"""Error of zero order in stable depths over the immersion, compared with all harmonics."""
 
 from __future__ import annotations
 

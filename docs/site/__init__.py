@@ -1,4 +1,4 @@
-"""The documentation as a site: documents as they are, and pages made by running and by reading.
+"""The documentation as a web site: the documents, and pages made from runs and docstrings.
 
 ``scripts/site`` builds it into ``out/site``.
 """

@@ -18,11 +18,11 @@ DRAFT = 60  # dots per inch
 
 
 def main() -> int:
-    """Run what the gallery shows, lay out the pages, build them; any warning is an error."""
+    """Run the cases of the gallery, lay out the pages, build them; any warning is an error."""
     parser = argparse.ArgumentParser(prog="scripts/site", description=__doc__)
     parser.add_argument("-o", "--output", type=Path, default=ROOT / "out" / "site")
     parser.add_argument("--runs", type=Path, default=ROOT / "out" / "gallery")
-    parser.add_argument("--draft", type=Path, help="figures of few dots, of runs kept here")
+    parser.add_argument("--draft", type=Path, help="figures of low resolution, of runs kept here")
     asked = parser.parse_args()
     output = asked.output.resolve()
     if output.exists() and any(output.iterdir()) and not (output / OURS).exists():

@@ -1,4 +1,4 @@
-"""The reference of the Python interface: its public names, found by looking at the packages."""
+"""The reference of the Python interface: its public names, read from the packages."""
 
 from __future__ import annotations
 
@@ -37,8 +37,8 @@ PAGES = {
 INTRODUCTION = """Python interface
 ================
 
-What a designer imports. All is in SI units, descriptions and results are frozen; another
-value is put into a new one with ``rotordyn.vary``.
+The public names of the packages. All values are in SI units. Descriptions and results are frozen;
+``rotordyn.vary`` returns a changed copy.
 """
 Shown = dict[int, tuple[str, Any]]  # id of an object -> where it is shown, the object
 
@@ -71,7 +71,7 @@ def _modules(names: tuple[str, ...]) -> Iterator[ModuleType]:
 
 
 def _found(module: ModuleType, seen: Shown) -> tuple[ModuleType, Shown]:
-    """What a module shows that no other has shown, with what its functions return."""
+    """Names of a module that no other module has shown, with the classes its functions return."""
     fresh: Shown = {}
     for name, thing in list(_public(module)):
         for path, item in ((f"{module.__name__}.{name}", thing), *_returned(thing)):
@@ -81,7 +81,7 @@ def _found(module: ModuleType, seen: Shown) -> tuple[ModuleType, Shown]:
 
 
 def _public(module: ModuleType) -> Iterator[tuple[str, Any]]:
-    """What a module offers by name, or else the classes and functions that it defines."""
+    """The names in ``__all__`` of a module, or else its classes and functions."""
     listed = getattr(module, "__all__", None)
     for name in vars(module) if listed is None else listed:
         thing = getattr(module, name)
@@ -103,7 +103,7 @@ def _returned(thing: Any) -> Iterator[tuple[str, Any]]:
 
 
 def _part(module: ModuleType, things: Shown, classes: dict[str, str]) -> Iterator[str]:
-    """What a module says of itself, then what it shows."""
+    """Docstring of a module, then its names."""
     if not things:
         return
     yield from (module.__name__, "-" * len(module.__name__), "")
@@ -129,16 +129,16 @@ def _entry(path: str, thing: Any, classes: dict[str, str]) -> Iterator[str]:
 
 
 def _quantities(result: type) -> Iterator[str]:
-    """Table of a result's fields, as they are declared."""
+    """Table of the declared fields of a result."""
     rows = [
         (f"``{name}``", ", ".join(meta["dims"]), meta["unit"] or "–", meta["label"])
         for name, meta in ((n, field.metadata) for n, field in declared(result).items())
     ]
-    yield from _table(("field", "dimensions", "unit", "what it is"), rows)
+    yield from _table(("field", "dimensions", "unit", "meaning"), rows)
 
 
 def _fields(description: type, classes: dict[str, str]) -> Iterator[str]:
-    """Table of a description's fields: types as the source writes them."""
+    """Table of the fields of a description: types as in the source."""
     rows = [
         (f"``{field.name}``", _typed(str(field.type), classes), _default(field))
         for field in dataclasses.fields(description)

@@ -1,4 +1,4 @@
-"""What Sphinx needs to know; ``docs.site`` hands it pages laid out like the repository."""
+"""Configuration of Sphinx; ``docs.site`` gives it pages laid out like the repository."""
 
 from __future__ import annotations
 
@@ -26,14 +26,14 @@ extensions = [
 myst_enable_extensions = ["dollarmath", "colon_fence"]
 myst_heading_anchors = 4
 
-# Types in signatures that lead nowhere: those of other libraries, our short names for arrays, and
-# what the interface mentions without offering it.
+# Types in signatures without a link: those of other libraries, short names of arrays, and types
+# that the interface mentions without being part of it.
 nitpicky = True
 nitpick_ignore_regex = [
     (
         "py:class",
         r"Figure|Pictures|Flow",
-    ),  # of matplotlib; of a room that is no part of the interface
+    ),  # of matplotlib; of a package that is no part of the interface
     (r"py:.*", r"(numpy|np|xarray|xr|pathlib|collections|typing|rotordyn|bearings)(\..*)?"),
     (r"py:.*", r"(Array|ArrayLike|NDArray|Complex|Flags|Words|Mapping|Sequence|Path|Fits)"),
 ]
@@ -46,7 +46,7 @@ add_module_names = False
 
 
 def setup(app: Sphinx) -> None:
-    """Tables of measured values stand in blocks ``csv``, which Pygments does not know."""
+    """Tables of measured values are in blocks ``csv``, for which Pygments has no lexer."""
     app.add_lexer("csv", TextLexer)
 
 

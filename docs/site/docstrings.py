@@ -1,4 +1,4 @@
-"""Docstrings as the project writes them, into the markup that autodoc expects.
+"""Docstrings of the project converted to the markup that autodoc expects.
 
 Plain text with ``literals``; sections underlined by hyphens (``Parameters``, ``Raises`` …) whose
 lines read ``name : what it is``, continued where indented.
@@ -16,7 +16,7 @@ _ENTRY = re.compile(r"(\S.*?) : (.*)")
 
 
 def setup(app: Any) -> dict[str, bool]:
-    """Have autodoc hand over every docstring it reads."""
+    """Make autodoc pass every docstring to this module."""
     app.connect("autodoc-process-docstring", _process)
     app.connect("autodoc-process-signature", _signature)
     _print_aliases_by_name()
@@ -37,7 +37,7 @@ def _process(app: Any, what: str, name: str, obj: Any, options: Any, lines: list
 def _signature(
     app: Any, what: str, name: str, obj: Any, options: Any, signature: str | None, returns: str
 ) -> tuple[str | None, str]:
-    """Defaults that a dataclass makes anew are no valid Python where autodoc prints them."""
+    """Defaults that a dataclass creates are no valid Python where autodoc prints them."""
     return (signature or "").replace("<factory>", "...") or None, returns
 
 

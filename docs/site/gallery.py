@@ -1,4 +1,4 @@
-"""A page for every case and every example: what was asked, and what came out of running it."""
+"""A page for every case and every example: its input and the results of its run."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from rotordyn.figures import style
 
 CASES = ROOT / "cases"
 EXAMPLES = DOCS / "examples"
-# The picture that stands for a page: the first that is there.
+# The thumbnail of a page: the first picture that exists.
 FACES = (
     "shapes_3d_24000rpm_1",
     "damping",
@@ -44,7 +44,7 @@ class Exhibit:
 
     @property
     def face(self) -> Path:
-        """The picture that stands for it: the first of ``FACES`` that is there."""
+        """Its thumbnail: the first of ``FACES`` that exists."""
         by_name = {picture.stem: picture for picture in self.pictures}
         return next((by_name[name] for name in FACES if name in by_name), self.pictures[0])
 
@@ -59,7 +59,7 @@ def show_all(tree: Path, runs: Path) -> tuple[list[Exhibit], list[Exhibit]]:
 
 
 def _dots(per_inch: float) -> None:
-    """A process draws with as many dots as the one that began it."""
+    """A process draws with the resolution of its parent."""
     style.DPI = per_inch
 
 

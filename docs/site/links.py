@@ -22,7 +22,7 @@ Page = tuple[str, dict[str, str], str]
 
 
 class FileLinks(SphinxPostTransform):
-    """Resolve what names a file that is no page; runs before what would warn about it."""
+    """Resolve links to files that are no pages, before a warning about them."""
 
     default_priority = 8
 
@@ -50,7 +50,7 @@ class FileLinks(SphinxPostTransform):
         return f"{uri}#{anchor}" if anchor else uri
 
     def _page(self, target: str) -> str:
-        """The page that shows what ``target`` is: the README, a case, an example, a folder."""
+        """The page that shows ``target``: the README, a case, an example, a folder."""
         if target in {"README.md", "docs/README.md"}:
             return "index"
         for page in (posixpath.splitext(target)[0], f"{target}/README"):
@@ -83,14 +83,14 @@ def _text(app: Any, path: Path) -> str:
 
 
 def _listing(folder: Path) -> str:
-    """The modules of a folder with the first line of what each says of itself."""
+    """The modules of a folder with the first line of their docstrings."""
     rows = ((p.name, first_line(p)) for p in sorted(folder.glob("*.py")))
     lines = (f"<dt><code>{escape(n)}</code></dt><dd>{escape(said)}</dd>" for n, said in rows)
     return f"<dl>{''.join(lines)}</dl>"
 
 
 def setup(app: Any) -> dict[str, bool]:
-    """Resolve links, then make the pages that they lead to."""
+    """Resolve links, then make the pages that they link to."""
     app.add_post_transform(FileLinks)
     app.connect("html-collect-pages", file_pages)
     return {"parallel_read_safe": True, "parallel_write_safe": False}

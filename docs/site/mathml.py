@@ -1,4 +1,4 @@
-"""Formulas as MathML, which browsers set themselves: no script, no network, no TeX."""
+"""Formulas as MathML, which browsers typeset: no script, no network, no TeX."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""The table of contents beside pages of files, which are most pages: made once for each depth.
+"""The table of contents next to pages of files, which are most pages: made once for each depth.
 
-None of them is in it, so it differs by the way up to its links alone.
+None of these pages is in it, so it differs only in the relative path of its links.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from docs.site.links import SHOWN
 
 
 def setup(app: Any) -> dict[str, bool]:
-    """Put ours in place before the theme asks for it."""
+    """Replace that of the theme before it is used."""
     app.connect("html-page-context", partial(_share, {}), priority=400)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
 

@@ -31,7 +31,7 @@ def write_case_report(run: Path, folder: Path, name: str) -> Path:
 
 
 def main() -> int:
-    """Run what has changed, write all pages."""
+    """Run the changed cases, write all pages."""
     parser = argparse.ArgumentParser(prog="python -m docs.site.reports", description=__doc__)
     parser.add_argument("-o", "--output", type=Path, default=ROOT / "out" / REPORTS)
     parser.add_argument("--runs", type=Path, default=ROOT / "out" / "gallery")

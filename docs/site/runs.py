@@ -1,6 +1,6 @@
-"""What the gallery shows is run, and kept as long as nothing has changed that it depends on.
+"""Runs of the gallery, kept as long as nothing changes that they depend on.
 
-Processes that ask for the same run at once wait for the one that came first.
+Processes that need the same run at the same time wait for the first of them.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ LIBRARIES = ("numpy", "scipy", "matplotlib")
 
 
 def case_run(case: Case, runs: Path) -> Path:
-    """Results folder of a case; what it read, models included, is in its digest.
+    """Results folder of a case; its digest covers all files that it reads, models included.
 
     Any warning fails the run.
     """
@@ -45,8 +45,8 @@ def case_run(case: Case, runs: Path) -> Path:
 def example_run(script: Path, runs: Path) -> Path:
     """Folder in which a script of ``docs/examples`` has run as its reader runs it.
 
-    It holds ``figure.png`` and what was printed, ``printed.txt``. Any warning fails the run, and so
-    does a word on standard error.
+    It contains ``figure.png`` and the output, ``printed.txt``. Any warning and any text on standard
+    error fail the run.
     """
     folder = runs / "examples" / script.stem
 
@@ -74,7 +74,7 @@ def _kept(folder: Path, key: str, run: Callable[[], None]) -> Path:
 
 @contextmanager
 def locked(folder: Path) -> Iterator[None]:
-    """Nobody else is in here for the same ``folder``, which need not exist yet."""
+    """Only one process at a time holds the lock of ``folder``, which need not exist yet."""
     folder.parent.mkdir(parents=True, exist_ok=True)
     with folder.with_name(f"{folder.name}.lock").open("w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
@@ -90,7 +90,7 @@ def _hash(inputs: Iterable[bytes]) -> str:
 
 @cache
 def _program() -> str:
-    """Hash of all code that computes, this file included, and the versions it stands on."""
+    """Hash of all code that computes, this file included, and the versions of its libraries."""
     total = hashlib.sha256(" ".join(map(version, LIBRARIES)).encode())
     sources = (path for name in COMPUTES for path in _files(ROOT / name, "*.py"))
     for path in (*sources, Path(__file__)):
@@ -103,7 +103,7 @@ def _files(folder: Path, pattern: str) -> list[Path]:
 
 
 def _python(*argv: str, cwd: Path) -> str:
-    """What an interpreter prints that finds the packages of the repository; it must succeed."""
+    """Output of an interpreter that imports the packages of the repository; it must succeed."""
     env = os.environ | {"PYTHONPATH": str(ROOT), "MPLBACKEND": "Agg"}
     done = subprocess.run(
         [sys.executable, *argv], cwd=cwd, env=env, capture_output=True, text=True, check=False

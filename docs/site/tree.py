@@ -40,7 +40,7 @@ GROUPS = {
 
 
 def lay_out(tree: Path, runs: Path) -> None:
-    """Write all pages into ``tree``, after running what is new in the gallery."""
+    """Write all pages into ``tree``, after running the new entries of the gallery."""
     copy_documents(tree)
     shutil.copy(README, tree / "index.md")
     cases, examples = show_all(tree, runs)
@@ -85,7 +85,7 @@ def _chapters(tree: Path) -> list[str]:
 
 
 def _groups(tree: Path) -> list[str]:
-    """Tables of contents of the front page, with what exists of each group."""
+    """Tables of contents of the front page, with the existing pages of each group."""
     existing = {page: (tree / f"{page}.md").exists() for group in GROUPS.values() for page in group}
     existing["api/index"] = True
     loose = sorted(

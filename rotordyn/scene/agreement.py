@@ -240,7 +240,7 @@ def _isotropy_faults(support: LinearSupport) -> Faults:
 
 
 def _no_rotating_frame(what: str) -> tuple[Path, str]:
-    described = "which a turning frame cannot describe"
+    described = "which a rotating frame cannot describe"
     return FORMULATION, f"{what}, {described}: given '{ROTATING}'; allowed: {INERTIAL}"
 
 
@@ -249,7 +249,7 @@ def _housing_faults(spindle: Spindle, conditions: Conditions) -> Faults:
     if spindle.housings and conditions.formulation == ROTATING:
         yield (
             FORMULATION,
-            "a turning frame cannot describe housings, which stand still: given 'rotating'; "
+            "a rotating frame cannot describe housings, which stand still: given 'rotating'; "
             "allowed: inertial",
         )
     loaded = abs(conditions.axial_force) > 0.0 or bool(conditions.pull[0])
@@ -291,7 +291,7 @@ def _rotor_faults(spindle: Spindle, conditions: Conditions) -> Faults:
     if conditions.formulation not in ("", INERTIAL):
         yield (
             FORMULATION,
-            "rotors of different speeds have no common turning frame: given "
+            "rotors of different speeds have no common rotating frame: given "
             f"'{conditions.formulation}'; allowed: {INERTIAL}",
         )
     if conditions.pull[0]:

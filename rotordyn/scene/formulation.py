@@ -17,7 +17,7 @@ FORMULATIONS = (INERTIAL, ROTATING, SOFTENED)
 _SENTENCES = {
     ROTATING: (
         "formulation rotating: bending frequencies and receptances are those seen from a frame "
-        "that turns with the shaft"
+        "that rotates with the shaft"
     ),
     SOFTENED: (
         "formulation fixed-frame softening: Ω² M_ω is subtracted in the fixed frame, which no "
@@ -34,7 +34,7 @@ def frame_notes(formulation: str) -> tuple[str, ...]:
 def turned(quantity: str) -> str:
     """Say why a velocity or acceleration over force is not given in the rotating frame."""
     return (
-        f"{quantity} in a frame that turns with the shaft is what no sensor measures: take "
+        f"{quantity} in a frame that rotates with the shaft is what no sensor measures: take "
         "receptance, or formulation: inertial"
     )
 

@@ -59,7 +59,7 @@ def test_a_ring_that_touches_no_ball_is_unloaded() -> None:
 @pytest.mark.few(1)
 @pytest.mark.parametrize("kinematics", ["inner", "geometric"])
 def test_balls_that_are_thrown_off(kinematics: str) -> None:
-    """Up to the speed told there is a state; the balls named then need any friction to stay."""
+    """Up to the reported speed there is a state; the balls named then need any friction to stay."""
     ask = dict(load=[60.0, 20.0, 0, 0, 0], kinematics=kinematics, moment_sharing="inner")
     with pytest.raises(NoEquilibrium, match="are thrown off a race") as caught:
         VEX70.equilibrium(speed=FAST, **ask)
@@ -76,7 +76,7 @@ def test_balls_that_are_thrown_off(kinematics: str) -> None:
 
 @pytest.mark.long
 def test_stiffness_that_vanishes() -> None:
-    """Towards the speed told the softest direction fades; beyond it there is no state."""
+    """Towards the reported speed the softest direction fades; beyond it there is no state."""
     ask = dict(FOLDING)
     bearing = ask.pop("bearing")
     with pytest.raises(NoEquilibrium, match="stiffness vanishes above") as caught:
@@ -104,7 +104,7 @@ def test_a_ring_that_two_balls_hold_turns_as_slowly_as_one_likes(compiled: bool)
     assert step[1:] / step[:-1] == pytest.approx((speed[1] / speed[0]) ** 2, rel=1e-3)
 
 
-def test_states_again_are_told() -> None:
+def test_states_again_are_reported() -> None:
     state = rings.draw_states(83).only(5).solve()
     (word,) = condition.endings(state.operation, np.array([0]))
     match = re.fullmatch(
@@ -208,7 +208,7 @@ def test_a_start_decides_nothing(kinematics: str) -> None:
     assert np.array_equal(cold.inner_load, warm.inner_load, equal_nan=True)
 
 
-def test_residual_is_told() -> None:
+def test_residual_is_reported() -> None:
     loads = np.outer([100.0, 1000.0, 10000.0], [1.0, 0.3, 0.1, 0.001, 0.0])
     state = VEX70.equilibrium(load=loads, speed=FAST)
     assert (state.residual < 1e-11).all()

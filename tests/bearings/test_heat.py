@@ -530,7 +530,7 @@ def test_warm_balls_take_the_play_of_a_deep_groove(angle: float) -> None:
         assert found == pytest.approx(wanted, rel=0.03)
 
 
-def test_a_heated_bearing_stands_where_its_ring_does() -> None:
+def test_a_heated_bearing_is_where_its_ring_does() -> None:
     """A rigid preload keeps the place of its ring; under a spring it moves by the shift, too."""
     rigid, spring = (
         heat.heated(VEX70, replace(MOUNTING, rigid=held), speed=FASTER[:2], preload=300.0)

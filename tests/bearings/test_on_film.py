@@ -122,7 +122,7 @@ def test_a_rigid_mounting_is_loaded_more() -> None:
 @pytest.mark.parametrize("speed", [8e3, 16e3])
 @pytest.mark.parametrize("kinematics", ["hybrid", "outer"])
 def test_stiffness_is_the_slope_of_whole_states(speed: float, kinematics: str) -> None:
-    """Loads a little apart, films found anew for each: a few per cent softer than without."""
+    """Loads a little apart, films found again for each: a few per cent softer than without."""
     law, step = Law(kinematics), 0.5
     loads = LOAD + np.outer([-step, step], [1.0, 0, 0, 0, 0])
     given = {"speed": speed * RPM, "law": law, "heating": False}

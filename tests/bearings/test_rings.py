@@ -374,7 +374,7 @@ def test_impossible_cylinders(wrong: dict[str, float]) -> None:
 
 @axials
 def test_fits_of_random_stacks_press_until_they_let_go(axial: str) -> None:
-    """Up to the speed told all the way, and no more just above it; those that never let go press
+    """Up to the reported speed everywhere, and no more just above it; those that never let go press
     at any speed."""
     rng, met = np.random.default_rng(5), 0
     for _ in range(40):

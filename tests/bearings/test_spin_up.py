@@ -81,7 +81,7 @@ def test_states_again_and_again() -> None:
 
 @pytest.mark.few(1)
 @pytest.mark.parametrize(("number", "index"), [(83, 1), (126, 6)])
-def test_a_bearing_has_states_up_to_the_speed_told_and_again_above(number: int, index: int) -> None:
+def test_states_exist_up_to_the_reported_speed_and_again_above(number: int, index: int) -> None:
     """The first: without states only from 4.3 to 4.6 % of its speed, then up to 11.7 %."""
     state = rings.draw_states(number).solve()
     assert state.outcome[index] == "no equilibrium"

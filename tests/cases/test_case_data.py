@@ -1,4 +1,4 @@
-"""Files beside the cases are what their generator writes:  python -m docs.generate.case_data"""
+"""Data files of the cases are what their generator writes:  python -m docs.generate.case_data"""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ def test_oil_film_of_the_book() -> None:
 
 
 def test_rotor_on_oil_films() -> None:
-    """5.9.6 from its case file, at a knot of the table: the poles of matrices written down apart
+    """5.9.6 from its case file, at a row of the table: the poles of matrices written down apart
     from the program."""
     found = rotordyn.run(rotordyn.load("friswell_oil_films"))["campbell"]
     for rpm in (500.0, 1500.0, 4500.0):

@@ -107,7 +107,7 @@ def test_pages_show_what_a_run_prints() -> None:
         ("```sh\nrotordyn check nothing_there.yaml\n```\n", "exit code 2"),
         ("```sh\nscripts/nothing_there\n```\n", "no such script"),
         ("```sh\nmake all\n```\n", "no command of rotordyn"),
-        ("```yaml\na: 1\n```\n", "a block that nothing runs"),
+        ("```yaml\na: 1\n```\n", "a block of unknown kind"),
     ],
 )
 def test_a_page_that_is_wrong_is_named(code: str, words: str, tmp_path: Path) -> None:

@@ -49,7 +49,7 @@ def of_grid() -> Iterator[Trial]:
 
 
 def of_mutants(count: int, runs: bool) -> Iterator[Trial]:
-    """Mutants of every shipped file, checked; those that pass are run as well if asked for."""
+    """Mutants of every shipped file, checked; those that pass are run as well if requested."""
     for path in files():
         for number in range(count):
             with tempfile.TemporaryDirectory() as place:

@@ -1,7 +1,7 @@
 """Tests that execute a function, how long they take, and which of them fails with another source.
 
 All are collected once, in this process; each trial is a fork of it, where the code of a module's
-functions is exchanged in place: nothing is imported or collected anew.
+functions is exchanged in place: nothing is imported or collected again.
 numba is kept out: what is compiled is the same source, and compiling takes longer than most tests.
 """
 
@@ -161,7 +161,7 @@ def _exchange(path: str, text: str) -> None:
 
 
 def _forget() -> None:
-    """What functions of the source keep of former calls, so that every test executes them anew."""
+    """What functions of the source keep of former calls, so that every test executes them again."""
     for each in gc.get_objects():
         if type(each) is _lru_cache_wrapper and each.__module__.startswith(SOURCES):
             each.cache_clear()

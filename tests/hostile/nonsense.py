@@ -99,5 +99,5 @@ _MADE = {"generator": lambda: iter([1.0, 2.0]), "object": object, "odd": _Odd}
 
 
 def nonsense(name: str) -> Any:
-    """A value by its name, made anew where a call would use it up."""
+    """A value by its name, made again where a call would use it up."""
     return _MADE[name]() if name in _MADE else NONSENSE[name]

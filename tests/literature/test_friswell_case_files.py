@@ -4,7 +4,7 @@ Each is written as a user would write it and run through the public interface. C
 an independent finite-element code with the book's six elements and Hutchinson's coefficient, those
 called ross are printed by the open code of that name (Timbó and others 2020) in its user guide or
 its tests, with Cowper's coefficient; both are met to the digits printed. ROSS has a torsion mode at
-103.52 Hz in its lists, which the book's model has not; it is left out here
+103.52 Hz in its lists, which the model of the book does not have; it is omitted here
 (``test_rotor_friswell.py`` meets it as torsion).
 """
 

@@ -3,7 +3,7 @@
 In the balance of the ball (docs/theory/ball.md) the moment Mg is positive. Noël's thesis (2013)
 states the same equations with ωR/ω < 0 (its 2.14b); taken literally, that turns Mg round. Its own
 figures were made with both: Fig. 2.21 with the physical sign, Fig. 2.22 with the literal one,
-Tab. 2.5 with neither alone. The product knows the physical sign only; the literal one is that of
+Tab. 2.5 with neither alone. The program has the physical sign only; the literal one is that of
 the oracle, ``moment_sign=-1``.
 
 λ = (1, 1), no growth, blocked tilts, 30 000 rpm and z = 25 unless said. Each case names what is

@@ -66,7 +66,7 @@ def test_ratings_are_as_printed(name: str) -> None:
 
 
 @pytest.mark.long
-def test_estimates_foretell_what_is_printed_at_other_preloads() -> None:
+def test_estimates_predict_what_is_printed_at_other_preloads() -> None:
     """Rings, C0 and the medium class given, as if balls were not printed: the rigidity at the
     other two, and the ball diameter."""
     errors, balls = [], []

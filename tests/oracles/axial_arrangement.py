@@ -3,7 +3,7 @@
     F − Fx1 + Fx2 + Fx3 = 0;  P2 − Kp2 up2 − Fx3 = 0;  P1 − Kp1 up1 − Fx2 = 0
     δx1 = u + δx1,0;  δx2 = up1 − (u + uO2) + δx2,0;  δx3 = up2 − (u + uO3) + δx3,0
 
-Positions 1 and 3 are tandems. The unknowns are the loads Fx2 and Fx3: bearings are asked for the
+Positions 1 and 3 are tandems. The unknowns are the loads Fx2 and Fx3: bearings are solved for the
 deflection under a load, where the product asks for the load under a deflection.
 """
 
@@ -35,7 +35,7 @@ class Arrangement2310:
     top: float = 24000.0 * np.pi / 30.0
 
     def solve(self, speed: float, force: float = 0.0, *, closed: bool = False) -> Found:
-        """Loads and shifts at ``speed``; ``closed``: the front sleeve stands at its stop."""
+        """Loads and shifts at ``speed``; ``closed``: the front sleeve is at its stop."""
         p1, p2 = self.preload
         rest = [self._one(1, (p1 + p2) / 2, 0.0), self._one(2, p1, 0.0), self._one(3, p2 / 2, 0.0)]
 

@@ -14,7 +14,7 @@ def ball_faults(oracle: BallBearingOracle, state: Any) -> tuple[NDArray, NDArray
     """(closure [m], force and moment faults relative to the largest outer load) of one state.
 
     Lengths follow from the loads, X from the outer side; the inner side, both force balances, Fc
-    and Mg are then checked. Balls without contact at rest are left out.
+    and Mg are then checked. Balls without contact at rest are omitted.
     """
     psi = oracle.azimuths()
     a1, a2 = oracle.centres(state.displacement, psi)

@@ -156,7 +156,7 @@ class BallBearingOracle:
         self.inertia = self.mass * d**2 / 10.0
 
     def azimuths(self, single: bool = False) -> NDArray:
-        """ψ of the balls, or of one ball that stands for all."""
+        """ψ of the balls, or of one ball that represents all."""
         return (
             np.zeros(1)
             if single

@@ -25,10 +25,10 @@ Array = NDArray[np.float64]
 
 
 class FullRotor:
-    """A spindle at one speed, the freedoms of ``selection`` node by node (bending if not given).
+    """A spindle at one speed, the DOF of ``selection`` node by node (bending if not given).
 
     Sleeves are part of the housing. ``axial_force`` (elements,) [N]: in the shaft, tension
-    positive, where the freedoms are those of bending.
+    positive, where the DOF are those of bending.
     """
 
     def __init__(

@@ -16,7 +16,7 @@ LENGTH = 0.1  # m, between a force and its moment
 
 
 def entries(matrix: Array) -> dict[tuple[str, str], float]:
-    """All 36 entries of a matrix by pair of freedoms."""
+    """All 36 entries of a matrix by pair of DOF."""
     return {
         (row, column): float(matrix[i, j])
         for i, row in enumerate(DIRECTIONS)

@@ -1,6 +1,6 @@
 """Random networks on one axis with random paths, and what every answer must fulfil.
 
-Balanced at rest by construction; the forces are summed anew, from the laws as they are written.
+Balanced at rest by construction; the forces are summed independently, from the laws as written.
 """
 
 from __future__ import annotations

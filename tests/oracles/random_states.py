@@ -64,7 +64,7 @@ def draw_bearing(rng: np.random.Generator, number: int) -> Drawn:
 
 
 def draw_speeds(rng: np.random.Generator, drawn: Drawn, count: int, rest: float = 0.03) -> Array:
-    """ω [rad/s] up to 4·10⁶ rpm·mm; a share of ``rest`` stands still."""
+    """ω [rad/s] up to 4·10⁶ rpm·mm; a share of ``rest`` does not rotate."""
     speed = HIGHEST / drawn.bearing.pitch_diameter * rng.uniform(0.0, 1.0, count)
     return np.where(rng.uniform(size=count) < rest, 0.0, speed)
 

@@ -98,7 +98,7 @@ def _slope_product(length: Array, phi: Array, line_inertia: Array) -> Array:
     )
 
 
-# Where each of (a, b, c, d, e, f, −b, −d) stands in the matrix.
+# Place of each of (a, b, c, d, e, f, −b, −d) in the matrix.
 _LAYOUT = np.array([[0, 1, 2, 3], [1, 4, 7, 5], [2, 7, 0, 6], [3, 5, 6, 4]])
 
 

@@ -170,7 +170,7 @@ def test_whirls_are_paired_where_the_first_speed_has_no_solution() -> None:
 
 
 def test_whirls_of_twins_are_paired_as_they_turn_at_speed() -> None:
-    """On a housing both planes are solved together: at rest twins turn either way or none."""
+    """On a housing both planes are solved together: at rest pairs whirl either way or not."""
     whole = rotordyn.load("spindle_on_housing")
     asked = {"campbell": CampbellSpec(1000.0, shapes=False)}
     on_body = replace(whole.variants["body"], speeds=(0.0, 24000 * RPM), analyses=asked)
@@ -240,7 +240,7 @@ def test_restriction_holds_for_every_variant() -> None:
 
 @pytest.fixture(scope="module")
 def many(tmp_path_factory: pytest.TempPathFactory) -> Delivery:
-    """Fifteen variants, more than are drawn side by side or told on a screen."""
+    """Fifteen variants, more than are drawn side by side or printed on a screen."""
     whole = restricted(compared(), ("campbell", "frf"))
     one = whole.variants["rigid"]
     variants = {f"v{k}": replace(one, title=f"variant {k}") for k in range(15)}
@@ -263,7 +263,7 @@ def test_of_many_variants_a_screen_shows_a_few_and_names_the_table(many: Deliver
     assert all(f"variant {k}" in table for k in range(15))
 
 
-def test_race_control_of_variants_stands_side_by_side(tmp_path: Path) -> None:
+def test_race_control_of_variants_is_side_by_side(tmp_path: Path) -> None:
     """The boundaries of two hypotheses in one table and one figure, a map each in its folder."""
     path = tmp_path / "two.yaml"
     path.write_text(

@@ -127,7 +127,7 @@ def test_nothing_is_written_where_nothing_is_finished(
 def test_complete_results_are_not_replaced_by_fewer(
     tmp_path: Path, monkeypatch: Patch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """They stay as they are; what was finished stands beside them, and gives way to all of it."""
+    """They stay as they are; what was finished is next to them, and gives way to all of it."""
     assert ended(FRF, tmp_path, "--no-figures") == 0
     with monkeypatch.context() as patch:
         patch.setattr("rotordyn.analyses.frf.solve.solve", interrupted)
@@ -217,7 +217,7 @@ def test_what_takes_longer_than_allowed_is_refused_before_it_begins(
     assert main([*argv, "--longest", "-1"]) == 2
 
 
-def test_figures_that_take_longer_than_allowed_are_left_out(
+def test_figures_that_take_longer_than_allowed_are_omitted(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path, target = tmp_path / "rotor.yaml", tmp_path / "out"
@@ -320,7 +320,7 @@ def test_a_stop_within_a_finaliser_is_not_lost(name: str) -> None:
     assert time.perf_counter() - begin < 5.0
 
 
-def test_speeds_added_to_those_of_the_case_are_told() -> None:
+def test_speeds_added_to_those_of_the_case_are_reported() -> None:
     with allowance.within(600.0, 1e6), pytest.raises(TooCostly) as caught:
         allowance.require_matrices("bending system", 400, 582, 4)
     assert "582 rows at 400 speeds (4 of the case, others added between them)" in str(caught.value)

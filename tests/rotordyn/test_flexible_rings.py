@@ -254,7 +254,7 @@ def test_the_shipped_case_of_thin_walls_shows_what_they_take() -> None:
     assert stiffness["cartridge"] < 0.99 * stiffness["apart"]
 
 
-def test_a_thin_wall_is_told_where_rings_are_taken_as_rigid(tmp_path: Path) -> None:
+def test_a_thin_wall_is_reported_where_rings_are_taken_as_rigid(tmp_path: Path) -> None:
     text = SPINDLE.replace("  flexible_rings: {housing_diameter: 118 mm}\n", "  FITS\n")
     words = "are taken as rigid"
     for housing, told in (("118 mm", True), ("160 mm", False)):
@@ -297,7 +297,7 @@ def test_films_are_in_series_with_elastic_rings(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(("taken", "told"), [("mean", True), ("most", False)])
-def test_play_of_a_ring_that_deforms_with_its_housing_is_told(
+def test_play_of_a_ring_that_deforms_with_its_housing_is_reported(
     taken: str, told: bool, tmp_path: Path
 ) -> None:
     fits = f"  fits: {{shaft: k5, housing: JS5, taken: {taken}, housing_diameter: 130 mm}}\n"

@@ -47,7 +47,7 @@ def test_the_new_files_describe_the_shipped_spindle() -> None:
     assert ours.spindle.seats == shipped.spindle.seats
 
 
-def test_every_key_of_the_starting_files_stands_beside_a_comment() -> None:
+def test_every_key_of_the_starting_files_is_beside_a_comment() -> None:
     assert main(["new", "grinder"]) == 0
     for name in ("grinder.yaml", "grinder_spindle.yaml"):
         lines = Path(name).read_text(encoding="utf-8").splitlines()

@@ -71,7 +71,7 @@ def test_datasets_hold_the_arrays_of_the_results_themselves(results: rotordyn.Re
     assert np.shares_memory(results["frf"].receptance.values, held)
 
 
-def test_nothing_is_made_before_it_is_asked_for(tmp_path: Path) -> None:
+def test_nothing_is_made_before_it_is_requested(tmp_path: Path) -> None:
     """A run loads neither xarray nor what draws; saving numbers needs neither."""
     code = (
         "import sys, rotordyn\n"

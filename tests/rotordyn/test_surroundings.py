@@ -216,7 +216,7 @@ def test_the_backend_that_a_notebook_names_stays_its_own() -> None:
     assert program(code=code, MPLBACKEND="svg").stderr.split() == [b"svg"]
 
 
-def test_formats_of_figures_are_those_asked_for(
+def test_formats_of_figures_are_those_requested(
     case: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     argv = ["run", str(case), "-o", str(tmp_path / "out"), "--quiet", "--format"]

@@ -41,7 +41,7 @@ def judge(estimated: np.ndarray, error: np.ndarray) -> None:
 
 
 def bending(result: CampbellResult, row: int, highest: float) -> np.ndarray:
-    """Columns of bending that swings up to ``highest`` [Hz]."""
+    """Columns of bending that oscillates up to ``highest`` [Hz]."""
     return np.array(
         [
             k
@@ -88,7 +88,7 @@ def test_random_rotors(seed: int) -> None:
 
 @pytest.mark.few(1)
 @pytest.mark.parametrize("damped", [False, True], ids=["undamped", "damped"])
-def test_poles_of_uneven_supports_move_as_told(damped: bool) -> None:
+def test_poles_of_uneven_supports_move_as_reported(damped: bool) -> None:
     """Both planes coupled: the estimate is that of the complex pole; standard elements, too."""
     for seed in range(4):
         rng = np.random.default_rng(50 + seed)
@@ -125,7 +125,7 @@ def test_receptances_of_the_spindle() -> None:
 @pytest.mark.few(1)
 @pytest.mark.parametrize("what", ["drawbar", "sleeve"])
 def test_drawbar_and_sprung_sleeve(what: str) -> None:
-    """Axial force in the shaft, and the mass lent to a sleeve that has none."""
+    """Axial force in the shaft, and the fictitious mass of a sleeve that has none."""
     spindle = mfw2310(rotor_damping=())
     if what == "drawbar":
         spindle = replace(spindle, drawbar=Drawbar(3e4, 0.0, 0.4, ()))
@@ -166,7 +166,7 @@ def test_rigid_rotor_has_no_error_by_elements() -> None:
 
 
 def test_standard_elements_are_judged_as_well() -> None:
-    """Half the length, a quarter of the error that is told."""
+    """Half the length, a quarter of the error that is reported."""
     told = []
     for parts in (40, 80):
         length = mfw2310().shaft.end / parts

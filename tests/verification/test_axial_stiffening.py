@@ -51,7 +51,7 @@ def beam(bar: Drawbar | None = None, radial: float = 1e9) -> Spindle:
 
 
 def first(spindle: Spindle, highest: float = 400.0, count: int = 1, **changes: Any) -> np.ndarray:
-    """Lowest bending frequencies at rest [Hz], twins once."""
+    """Lowest bending frequencies at rest [Hz], double ones once."""
     found = Scene(spindle, Conditions(**changes), np.zeros(1), highest)
     result = campbell.solve(found, CampbellSpec(highest))
     bending = [k == "bending" for k in result.kind]
@@ -105,7 +105,7 @@ def test_pinned_beam(share: float) -> None:
 
 @pytest.mark.parametrize("share", [-0.5, 0.5, 3.0])
 def test_pinned_beam_in_one_element(share: float) -> None:
-    """Bent to a parabola: f = f0 √(1 + N L²/(12 E I)). Nothing is left out of so few freedoms."""
+    """Bent to a parabola: f = f0 √(1 + N L²/(12 E I)). No DOF is truncated."""
     one, pinned = 2.0 * LENGTH, beam(radial=1e12)
     plain = first(pinned, element_length=one)[0]
     found = first(pinned, element_length=one, axial_force=-share * EULER)[0]
@@ -168,7 +168,7 @@ def test_a_bar_in_a_free_part_of_the_shaft_acts_with_its_ends() -> None:
     assert np.abs(work).max() < 1e-9 * 2e4 * moved**2
 
 
-# --- against all freedoms ----------------------------------------------------------------------
+# --- against all DOF ----------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("share", [0.0, 0.9])
@@ -240,7 +240,7 @@ def slender(points: dict[str, float] | None = None) -> Spindle:
 
 @pytest.mark.parametrize("share", [0.5, 0.95])
 def test_condensed_rotor_near_buckling(share: float) -> None:
-    """Half way to buckling, and close to it, against all freedoms: 1e-4 of the axial force, whose
+    """Half way to buckling, and close to it, against all DOF: 1e-4 of the axial force, whose
     error the tangent there has over (1 − share)."""
     critical = critical_bar()
     spindle = replace(slender(), drawbar=replace(STRONG, force=share * critical))
@@ -296,7 +296,7 @@ def test_spindle_buckles_where_the_full_model_says() -> None:
 
 
 def test_buckled_speeds_are_named_and_the_others_delivered() -> None:
-    """The bearings soften with speed: what stands at rest buckles at 20 000 rpm."""
+    """The bearings soften with speed: a shaft stable at rest buckles at 20 000 rpm."""
     force = 0.5 * (critical_bar(0.0) + critical_bar(20000.0))
     spindle = replace(slender(), drawbar=replace(STRONG, force=force))
     asked = {
@@ -378,7 +378,7 @@ def test_flagship_moves_by_less_than_a_ten_thousandth() -> None:
 
 @pytest.mark.parametrize("guides", [(), (0.4,)])
 def test_a_strong_drawbar_is_no_error_of_the_rotor(guides: tuple[float, ...]) -> None:
-    """The string bears what the pressed shaft puts on modes left out: next to nothing is told."""
+    """A string under the load on truncated modes of the pressed shaft: almost no reported error."""
     strung = beam(Drawbar(1.5 * EULER, 0.1, 0.8, guides))
     found = [
         campbell.solve(

@@ -143,7 +143,7 @@ def test_sleeve_in_a_guide_is_one_on_its_stiffness() -> None:
 
 
 @pytest.mark.parametrize(("interference", "said"), [(1e-6, True), (10e-6, False)])
-def test_a_guide_far_from_its_centre_is_told(interference: float, said: bool) -> None:
+def test_a_guide_far_from_its_centre_is_reported(interference: float, said: bool) -> None:
     """Where the plain sum over its balls is the force of its bearings, and the slope there."""
     rear = BallGuide(250, 4e-3, 0.1, interference)
     machine = mfw2310()
@@ -174,7 +174,7 @@ def test_a_guide_far_from_its_centre_is_told(interference: float, said: bool) ->
     assert f"and has {slope / 1e6:.3g}"[:-1] in told[0]
 
 
-def test_the_speed_at_which_a_guide_is_farthest_off_is_told() -> None:
+def test_the_speed_at_which_a_guide_is_farthest_off_is_reported() -> None:
     """Under 1.7 kN it is not off at all, in between that of the centre; loads of bearings that
     face one another are summed up in one frame."""
     guide, half = BallGuide(250, 4e-3, 0.1, 1e-6), np.array([300.0, 850.0, 450.0]) / math.sqrt(2.0)

@@ -1,4 +1,4 @@
-"""The benchmarks of one bearing run, and measure what they say (benchmarks/bearing)."""
+"""The benchmarks of one bearing run, and measure what they state (benchmarks/bearing)."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from bearings.geometry import geometry
 from bearings.ring.tolerances import TOLERANCE
 from benchmarks.bearing.hertz_fits import contacts, measure_hertz
 from benchmarks.bearing.methods import measure_methods
+from benchmarks.bearing.path_steps import measure_path_steps
 from benchmarks.bearing.reference import Reference
 from benchmarks.bearing.speed import lost_from_unloaded, measure_speed
-from benchmarks.bearing.strides import measure_strides
 from benchmarks.bearing.subject import LOAD, SPEED, VEX70
 from benchmarks.bearing.tolerance import TOLERANCES, measure_tolerance
 from docs.generate.bearing_times import bearing_parts
@@ -57,11 +57,11 @@ def test_a_tighter_newton_leaves_less() -> None:
 
 
 @pytest.mark.long
-def test_strides_too_coarse_lose_states() -> None:
-    found = measure_strides(bearings=2, repeats=1)
-    assert found["states"] == 100 >= found["sure"] > 90
+def test_path_steps_too_coarse_lose_states() -> None:
+    found = measure_path_steps(bearings=2, repeats=1)
+    assert found["states"] == 100 >= found["certain"] > 90
     lost = {(line["varied"], line["value"]): line["refused"] for line in found["lines"]}
-    assert lost["shortest stride", 0.5] > lost["longest turn [rad]", 0.15] == 0
+    assert lost["shortest path step", 0.5] > lost["largest rotation [rad]", 0.15] == 0
 
 
 def test_fits_err_as_they_are_known_to() -> None:
@@ -91,7 +91,7 @@ def test_all_tables_can_be_written() -> None:
         "lost_from_unloaded": 0,
         "methods": measure_methods(copies=2, repeats=1),
         "tolerance": [],
-        "strides": {"lines": [], "states": 0, "sure": 0, "exist": 0},
+        "path_steps": {"lines": [], "states": 0, "certain": 0, "exist": 0},
         "hertz": measure_hertz(repeats=1),
     }
     parts = bearing_parts(found)

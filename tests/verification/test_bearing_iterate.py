@@ -1,4 +1,4 @@
-"""Balls that move with their rings: symmetry, order of what is left out, the state reached."""
+"""Balls that move with their rings: symmetry, order of the neglected terms, the state reached."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def test_half_a_ring_is_the_whole_in_the_plane_of_a_ball(balls: int) -> None:
     assert half.pressure == pytest.approx(whole.pressure, rel=1e-12)
 
 
-def test_one_ball_stands_for_an_axial_state() -> None:
+def test_one_ball_represents_an_axial_state() -> None:
     state = solved(np.array([25e-6, 0.0, 0.0, 0.0, 0.0]))
     one, whole = (iterate(state, ring) for ring in (axial_assembly, full_assembly))
     assert one.ball.shape[-1] == 1
@@ -48,7 +48,7 @@ def test_one_ball_stands_for_an_axial_state() -> None:
     assert one.load == pytest.approx(state.load, rel=1e-10, abs=1e-9)
 
 
-def test_a_state_by_itself_is_a_batch_of_one() -> None:
+def test_a_state_alone_is_a_batch_of_one() -> None:
     how = {"displacement": IN_PLANE, "kinematics": "outer"}
     one = iterate(VEX70.equilibrium(speed=900.0, **how), full_assembly)
     many = iterate(VEX70.equilibrium(speed=[900.0], **how), full_assembly)
@@ -110,7 +110,7 @@ def test_without_a_state_nothing_is_said() -> None:
     assert found.follows(found).tolist() == [True, True, True, False]
 
 
-def test_an_angle_that_turns_far_is_told() -> None:
+def test_an_angle_that_turns_far_is_reported() -> None:
     start = iterate(solved(IN_PLANE), full_assembly)
     sin, cos = np.sin(0.16), np.cos(0.16)
     turned = np.stack(

@@ -1,4 +1,4 @@
-"""A batch whose states obey different laws has the states of each law by itself."""
+"""A batch of states with different laws has the states of each law solved alone."""
 
 from __future__ import annotations
 

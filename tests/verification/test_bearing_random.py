@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from bearings import STEEL, AngularContactBallBearing
-from benchmarks.bearing.strides import fast_states
+from benchmarks.bearing.path_steps import fast_states
 from benchmarks.random_bearings import balls, paths, rings, starts
 from benchmarks.random_bearings.judged import judged
 from tests.oracles.ball_bearing import race

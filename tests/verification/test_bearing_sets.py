@@ -409,7 +409,7 @@ def test_a_set_of_weak_bearings_is_mounted_too() -> None:
 
 
 @pytest.mark.parametrize("force", [100.0, 900.0])
-def test_bearings_of_a_side_that_grow_unlike_stand_together(force: float) -> None:
+def test_bearings_of_a_side_that_grow_unlike_are_together(force: float) -> None:
     """One place of the rings is sought where their loads, of one bearing each, add up to the force:
     a bearing whose growth has taken up more play carries more."""
     from scipy.optimize import brentq
@@ -479,7 +479,7 @@ def test_sets_that_are_mounted_together_press_the_shaft_together(
     with pytest.raises(InvalidInput, match="overload the bearings"):
         mounted_preloads(replace(machine, sleeves=(sleeves[0], heavy)))
     back = ring_offset(machine, sleeves[0], known[0])
-    if sum(-thrusts[k] * known[k - 1] for k in (1, 2)):  # else the housing says nothing of it
+    if sum(-thrusts[k] * known[k - 1] for k in (1, 2)):  # else the housing does not determine it
         assert back == pytest.approx(10e-6, rel=1e-6)
 
 
@@ -503,7 +503,7 @@ def test_an_offset_that_leaves_play_and_a_set_that_nothing_faces() -> None:
 
 
 def test_a_preload_beyond_the_bearing_is_named() -> None:
-    """The pressure passes what any contact stands: bearing, speed and remedy."""
+    """The pressure exceeds that of any elastic contact: bearing, speed and remedy."""
     found = state(spindle("DB", SetPreload(force=5e6))).preload
     assert "overloaded" in found.outcome[0]
     assert "lower its preload" in found.outcome[0]

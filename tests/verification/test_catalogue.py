@@ -230,7 +230,7 @@ def test_an_unloading_force_is_beyond_twice_the_preload() -> None:
 
 
 def test_what_c_is_taken_for_is_said_and_how_wrong_a_life_would_be() -> None:
-    """C of a pair given for one cannot be told from most data; L10 goes with C³."""
+    """C of a pair given for one cannot be determined from most data; L10 goes with C³."""
     found = estimate(**KH_6014_E)
     assert found.catalogue.dynamic_rating is not None
     times = (2.0**0.7) ** 3

@@ -1,4 +1,4 @@
-"""Rotors on one axis by their exact shafts: against each by itself, against dense matrices, and a
+"""Rotors on one axis by their exact shafts: against each alone, against dense matrices, and a
 joint against a short soft piece of shaft."""
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ def poles(spindle: Spindle, spin: float = SPIN) -> np.ndarray:
     return found[np.argsort(np.abs(found))]
 
 
-def test_rotors_that_nothing_joins_are_each_by_itself() -> None:
+def test_rotors_that_nothing_joins_are_each_alone() -> None:
     inner = replace(INNER, supports=(bearing("a", 0.0, 26e6, 26e6), bearing("b", 0.5, 9e6, 9e6)))
     ends = (bearing("c", 0.16, 2e7, 2e7, "outer"), bearing("d", 0.4, 1e7, 1e7, "outer"))
     both = replace(inner, rotors=(OUTER,), supports=(*inner.supports, *ends))

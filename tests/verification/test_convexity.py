@@ -125,7 +125,7 @@ def test_a_ring_displaced_far_has_a_state(
 @pytest.mark.few(1)
 @pytest.mark.parametrize(("number", "place"), [(938, 38), (1052, 30), (1938, 18)])
 def test_no_state_is_lost_by_a_start_that_leads_astray(number: int, place: int) -> None:
-    """Of 100 000 random states those three that another start had lost."""
+    """Of 100 000 random states those three that were lost with another start."""
     asked = draw("four point", number, 50)
     cold, astray = _alone(asked, place).solve(), _alone(asked.rolled(), place).solve()
     warm = _alone(asked, place).solve(astray)

@@ -63,7 +63,7 @@ def bare():
 
 @pytest.mark.parametrize("rpm", [0.0, 24000.0])
 def test_a_tool_on_our_own_spindle(bare, rpm):
-    """The nose without a tool, and the tool by itself, make the tip of the whole machine."""
+    """The nose without a tool, and the tool alone give the tip of the whole machine."""
     speed = rpm * math.pi / 30.0
     base = receptance(bare, "nose_face", speed)
     tool = rotordyn.model("tools", TOOL)

@@ -131,7 +131,7 @@ def stiffness(kx: float, ky: float, coupling: float) -> dict[tuple[str, str], fl
 @pytest.mark.few(4)
 @pytest.mark.parametrize("highest", [10.0, 14.5, 90.0, 101.5, 150.0])
 @pytest.mark.parametrize("skew", [1.0, 0.9], ids=["isotropic", "planes differ"])
-def test_told_are_those_in_the_band_by_the_mode_that_has_the_frequency(
+def test_reported_are_those_in_the_band_by_the_mode_that_has_the_frequency(
     skew: float, highest: float
 ) -> None:
     """A narrower band has the same ones as a wide one, up to its end and by the same names; each

@@ -58,7 +58,7 @@ class Pushed(UnevenMilling):
 @pytest.mark.parametrize("way", ENDS)
 @pytest.mark.parametrize("edges", [(0.0, 2e4), (2.5e4, 0.0), (1.5e4, 2e4)])
 def test_limits_are_those_of_steps_in_time(way, edges, monkeypatch):
-    """Evenly spaced teeth, forces at the very end: spread over less and less they come to these."""
+    """Evenly spaced teeth, forces at the end of the cut: distributed forces tend to these."""
     entry, exit = ENDS[way]
     monkeypatch.setattr(cutting, "SPREAD", 0.01)
     plain = Cut(3, 4.1e8, 1e8, entry, exit)
@@ -114,7 +114,7 @@ def test_edges_do_not_matter_where_chips_begin_and_end_thick():
 
 
 @pytest.mark.long
-def test_over_time_a_cut_chatters_next_to_the_limit_that_is_asked_for(monkeypatch):
+def test_over_time_a_cut_chatters_next_to_the_limit_that_is_requested(monkeypatch):
     """With teeth that cut behind the normal, too, where vibration takes them there, and of any
     tooth what those before it left: half of what both ways would give limits the depth."""
     speed, edge = 2.0 * math.pi * 172.0, 6e4

@@ -71,7 +71,7 @@ def test_it_is_the_limit_of_ever_stiffer_shear() -> None:
     assert soft[:2] == pytest.approx(rigid[:2], rel=0.03)
 
 
-def test_no_freedoms_of_shear() -> None:
+def test_no_dof_of_shear() -> None:
     """Of degree n between the nodes: 2 n − 1 with shear, n − 2 of bending alone."""
     degree = np.arange(1, 6)
     assert inner_dofs(degree).tolist() == [0, 3, 5, 7, 9]

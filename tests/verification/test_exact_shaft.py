@@ -90,7 +90,7 @@ def divided(mesh: Mesh, parts: int) -> Mesh:
 
 @cache
 def in_elements(parts: int) -> list[tuple[np.ndarray, np.ndarray]]:
-    """Poles and receptances of the flagship at every speed, all freedoms."""
+    """Poles and receptances of the flagship at every speed, all DOF."""
     found = scene(MACHINES["plain"], SPEEDS)
     mesh, answers = divided(station_mesh(found.spindle), parts), []
     for row in range(len(SPEEDS)):

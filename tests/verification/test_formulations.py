@@ -95,7 +95,7 @@ def isotropic(draw: Any) -> tuple[Spindle, float]:
 @settings(max_examples=40)
 @given(isotropic())
 def test_random_rotors(drawn: tuple[Spindle, float]) -> None:
-    """Poles and receptances of the equation in turning axes, with all its terms, unreduced."""
+    """Poles and receptances of the equation in rotating axes, with all its terms, unreduced."""
     spindle, spin = drawn
     highest = 1500.0
     (found,) = both(spindle, np.array([spin]), 2.0 * highest, element_length=0.05)[1:]
@@ -182,7 +182,7 @@ def test_critical_speeds_and_names_do_not_depend_on_the_frame() -> None:
     ours, seen = (campbell.solve(s, CampbellSpec(1500.0)) for s in both(rotor, speed, 1500.0))
     more = [k for k, name in enumerate(seen.mode) if name not in ours.mode]
     assert [name for name in seen.mode if name in ours.mode] == list(ours.mode)
-    assert (seen.frequency[:, more].min(axis=0) < 1500.0).all()  # in turning axes alone
+    assert (seen.frequency[:, more].min(axis=0) < 1500.0).all()  # in rotating axes alone
     assert seen.critical == ours.critical != ()
     assert seen.critical_speed == pytest.approx(ours.critical_speed, rel=1e-4)
     for k in np.flatnonzero(seen.critical_excited):
@@ -199,7 +199,7 @@ def test_uneven_supports_are_refused() -> None:
 
 
 @pytest.mark.parametrize("formulation", [TURNED, "fixed-frame softening"])
-def test_user_is_told(formulation: str) -> None:
+def test_user_is_informed(formulation: str) -> None:
     asked = replace(case(), speeds=(0.0,), analyses={"campbell": CampbellSpec(1500.0)})
     asked = replace(asked, conditions=replace(asked.conditions, formulation=formulation))
     answers = solve(asked)
@@ -212,7 +212,7 @@ def test_user_is_told(formulation: str) -> None:
 @pytest.mark.few(1)
 @pytest.mark.parametrize("formulation", ["inertial", TURNED])
 def test_whole_run(formulation: str, tmp_path: Any) -> None:
-    """Files, figures and summary; labels name the turning frame where it is chosen."""
+    """Files, figures and summary; labels name the rotating frame where it is chosen."""
     asked = {
         "campbell": CampbellSpec(2000.0, (2, 3)),
         "frf": FrfSpec((100.0, 200.0, 300.0), pairs("Oc2.y/Oc2.y")),
@@ -222,8 +222,8 @@ def test_whole_run(formulation: str, tmp_path: Any) -> None:
     delivery = rotordyn.job.deliver(whole, tmp_path / "out", figures=formulation == TURNED)
     turning = formulation == TURNED
     header = (tmp_path / "out" / "campbell.csv").read_text().splitlines()[0]
-    assert ("damped frequency in the turning frame" in header) == turning
-    assert ("modes [Hz] in the turning frame" in delivery.summary) == turning
+    assert ("damped frequency in the rotating frame" in header) == turning
+    assert ("modes [Hz] in the rotating frame" in delivery.summary) == turning
     chosen = formulation != "inertial"
     assert (f"\nnote       formulation {formulation}: " in delivery.summary) == chosen
     record = json.loads((tmp_path / "out" / "run.json").read_text(encoding="utf-8"))
@@ -249,7 +249,7 @@ def test_known_frequencies_are_drawn_in_the_fixed_frame_alone(
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_modes_seen_in_the_band_from_turning_axes(seed: int) -> None:
+def test_modes_seen_in_the_band_from_rotating_axes(seed: int) -> None:
     """Forward whirl of the exact shaft at ω, seen at |ω − Ω|: none is missing, though ω is up to Ω
     beyond the band, and the error is that of the frequency seen."""
     rng = np.random.default_rng(seed)
@@ -275,7 +275,7 @@ def test_modes_seen_in_the_band_from_turning_axes(seed: int) -> None:
 
 
 def between_shown_frequencies() -> list[Scene]:
-    """A rotor whose second forward mode swings at 457 Hz in space, at 357 Hz in the frame that
+    """A rotor whose second forward mode oscillates at 457 Hz in space, at 357 Hz in the frame that
     turns at 6000 rpm."""
     disc = PointMass("d", 0.3, 15.0, 0.12, 0.065)
     held = [support(name, x, (5e6, 5e6), 500.0) for name, x in (("a", 0.0), ("b", 0.8))]

@@ -69,7 +69,7 @@ def test_angle_and_axial_play_of_a_drawing_are_refused_with_the_shims_they_mean(
         replace(bearing, contact_angle=angle, axial_play=axial, radial_play=None)
 
 
-def test_balls_pressed_too_far_at_rest_are_told_by_how_much() -> None:
+def test_balls_pressed_too_far_at_rest_are_reported_by_how_much() -> None:
     """A play of −Qr · t presses either arch of every ball by Qr: with an even number t is 2."""
     usual = four_point(R24_14)
     arch = (usual.inner_conformity - 0.5) * usual.ball_diameter

@@ -1,5 +1,5 @@
 """Dry friction in the state that all analyses take: against networks that another code solved,
-Coulomb's law told from forces and positions, locked sleeves, and the independence of steps."""
+Coulomb's law checked with forces and positions, locked sleeves, and the independence of steps."""
 
 from __future__ import annotations
 
@@ -187,7 +187,7 @@ def test_vibrations_find_the_sleeve_standing() -> None:
     assert stiffness == pytest.approx([180e6, 120e6], rel=0.09), "Noël 2013, Fig. 3.28"
 
 
-def test_lines_say_where_friction_stands() -> None:
+def test_lines_say_where_friction_is() -> None:
     found = scene(rubbing(), [0.0, 12000.0])
     lines = summary(preload_answer(found, PreloadSpec()))
     assert any(line.startswith("friction   front") and "0.0 → 80.9" in line for line in lines)
@@ -221,7 +221,7 @@ def test_the_stop_is_met_where_the_path_meets_it() -> None:
 @pytest.mark.few(1)
 @pytest.mark.parametrize("limit", [150.0, 400.0])
 def test_friction_holds_a_sleeve_at_its_stop_until_it_slides_away(limit: float) -> None:
-    """Back from full speed the stop carries nothing soon, yet the sleeve stands there: where it
+    """Back from full speed the stop carries nothing soon, yet the sleeve remains there: where it
     leaves does not depend on the speeds of the case, and friction is at its limit there."""
     speed = []
     for steps in (6, 12):
@@ -308,7 +308,7 @@ def test_a_run_up_turns_where_temperatures_and_growth_do(
     limit: float, expected: tuple[float, float]
 ) -> None:
     """Growth goes with Ω², heat with Ω: the sleeve slides one way at first, then the other. Against
-    loads of a and b by 17 steps of speed, each balanced by itself."""
+    loads of a and b by 17 steps of speed, each balanced alone."""
     law = case("grinding_spindle").conditions.law
     state = operating_state(grinding(limit), np.array([TOP]), law, 0.0, STRAIGHT)
     assert state.friction_force[0, 0] == pytest.approx(limit)
@@ -375,7 +375,7 @@ def test_ways_at_constant_temperatures_are_straight() -> None:
 
 def test_bearings_that_do_not_stay_alike_are_followed_apart() -> None:
     """The inner ring of d is hot at 10 000 rpm alone, which the history passes: where that is a
-    speed of the case, both bearings of the tandem are told apart anyway."""
+    speed of the case, both bearings of the tandem are distinguished anyway."""
     ring = BearingTemperatures((20.0, 80.0, 20.0), (20.0,) * 3, (20.0,) * 3)
     speeds = (0.0, 10000.0 * RPM, 20000.0 * RPM)
     warm = Temperatures(shaft=20.0, speeds=speeds, bearings={"d": ring})

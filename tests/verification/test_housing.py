@@ -79,7 +79,7 @@ def test_two_masses_in_closed_form() -> None:
 
 
 class Dense:
-    """All freedoms of every node beside those of rigid bodies under some of the connections."""
+    """All DOF of every node beside those of rigid bodies under some of the connections."""
 
     def __init__(self, found: Scene, row: int) -> None:
         spindle, mesh = found.spindle, found.mesh
@@ -175,7 +175,7 @@ def one_housing() -> Spindle:
 
 
 @pytest.mark.parametrize("rpm", [0.0, 12000.0])
-def test_the_number_of_modes_is_that_of_all_freedoms(rpm: float) -> None:
+def test_the_number_of_modes_is_that_of_all_dof(rpm: float) -> None:
     """Housings under the supports: dense eigenvalues of rotor and housing."""
     found = scene(one_housing(), (rpm,), element_length=0.01)
     highest = 2500.0

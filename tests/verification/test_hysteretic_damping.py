@@ -292,7 +292,7 @@ def uneven(eta: float = 0.1, loss: float = 0.3, **changes: Any) -> Spindle:
 
 
 class Circular:
-    """Dense matrices of all freedoms, with losses by whirl: p = (y + iz)/√2, q = (y − iz)/√2.
+    """Dense matrices of all DOF, with losses by whirl: p = (y + iz)/√2, q = (y − iz)/√2.
 
     Of e^(iωt), p is the amplitude of forward whirl and q the conjugate of that of backward whirl.
     """

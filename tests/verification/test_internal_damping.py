@@ -115,7 +115,7 @@ def test_damping_in_the_fixed_frame_never_grows() -> None:
 
 def test_what_hardly_swings_is_numbered_last_and_not_listed() -> None:
     """β of the shaft overdamps its short waves, which in the fixed frame turn with it: they are
-    modes by the letter, and counted, but stand behind those that swing."""
+    modes by the letter, and counted, but stand behind those that oscillate."""
     damping = RayleighDamping(stiffness=2e-5)
     spindle = replace(rotor(1e3), rayleigh=damping)
     found = answered(spindle, [100.0, 600.0])
@@ -145,7 +145,7 @@ def test_what_swings_at_one_end_only_by_a_hair_creeps() -> None:
 @pytest.mark.parametrize(("slow", "is_overdamped"), [(0.995, True), (0.985, False)])
 def test_what_creeps_at_most_speeds_has_no_critical_speed(slow: float, is_overdamped: bool) -> None:
     """A damper whose rate falls with speed: the disc, of ω √(1 − ζ²), meets the speed where it has
-    ζ = 0.67, and that is told of a mode that swings at most of the speeds only."""
+    ζ = 0.67, and that is reported of a mode that oscillates at most of the speeds only."""
     omega, stiff = still(rotor(0.0))
     rate = tuple(2.0 * zeta * stiff / omega for zeta in (slow, slow, 0.6))
     speeds = [0.0, 0.02 * omega, 0.04 * omega, 0.06 * omega, 0.9 * omega]

@@ -83,7 +83,7 @@ def parts() -> tuple[Spindle, Spindle]:
 
 
 def tied(rpm: float, length: float, dampers: tuple[float, ...] = (0.0,) * 6) -> np.ndarray:
-    """Poles of both parts, all freedoms of every node, tied by the springs and by ``dampers`` that
+    """Poles of both parts, all DOF of every node, tied by the springs and by ``dampers`` that
     turn with the shaft: c(ẏ + Ωz), c(ż − Ωy), and as much of the tilts."""
     halves = [(part, build_mesh(part, length)) for part in parts()]
     free = [rotor_matrices(part, mesh, ALL) for part, mesh in halves]
@@ -213,7 +213,7 @@ def test_two_free_rods_on_a_damped_spring(
     way: str, spring: float, dampers: tuple[float, ...]
 ) -> None:
     """Rods of end stiffness K = S β tanh βl, S = E A or G J, β² = ρ s²/E or ρ s²/G, and a spring
-    k + c s between them: (k + c s) (K₁ + K₂) + K₁ K₂ = 0; errors are about those that are told."""
+    k + c s between them: (k + c s) (K₁ + K₂) + K₁ K₂ = 0; errors are about the reported ones."""
     lengths, diameters = (0.15, 0.35), (0.04, 0.06)
     modulus = STEEL.young_modulus / (1.0 if way == "axial" else 2.0 * (1.0 + STEEL.poisson_ratio))
     size = [math.pi * (d**2 / 4 if way == "axial" else d**4 / 32) for d in diameters]
@@ -314,7 +314,7 @@ def test_joints_that_are_none(given: dict[str, float], words: str) -> None:
         Joint("j", 0.0, **given)
 
 
-def test_joints_that_give_way_along_stand_in_front_of_all_bearings() -> None:
+def test_joints_that_give_way_along_are_in_front_of_all_bearings() -> None:
     """Preload states take the shaft as rigid along its axis, unless it carries nothing there."""
     soft = {"radial": 8e8, "axial": 5e6}
     whole = case()

@@ -1,4 +1,4 @@
-"""Shafts that weigh next to nothing under heavy discs, against static stiffness and the discs."""
+"""Shafts that weigh almost nothing under heavy discs, against static stiffness and the discs."""
 
 from __future__ import annotations
 

@@ -225,7 +225,7 @@ def of_shaft(port: str, *supports: LinearSupport) -> Any:
 
 
 def test_peaks_far_below_the_highest_frequency_are_found() -> None:
-    """Of a shaft on an axial spring, which it swings on at 1.4 Hz."""
+    """Of a shaft on an axial spring, which it oscillates on at 1.4 Hz."""
     size, damping, radial = 1e3, 10.0, {("y", "y"): 2e7, ("z", "z"): 2e7}
     front = LinearSupport("front", 0.1, {**radial, ("x", "x"): size}, {("x", "x"): damping})
     shaft, results = of_shaft("x", front, LinearSupport("rear", 0.5, radial))
@@ -280,7 +280,7 @@ def test_tables_and_dataset_tell_the_unit_of_every_port(tmp_path: Path) -> None:
     assert "units" not in data.motion.attrs
 
 
-def test_errors_are_told_and_warned_of() -> None:
+def test_errors_are_reported_and_warned_of() -> None:
     coarse = rotordyn.run(asked("grinding_spindle_sag"))
     data = coarse["matrices"]
     assert 0.0 < float(data.frequency_error) < 1e-4
@@ -336,7 +336,7 @@ def test_the_error_of_poles_counts_those_that_either_model_lacks() -> None:
 
 
 @pytest.mark.parametrize("name", ["friswell_coaxial", "grinding_spindle_sag"])
-def test_told_errors_are_the_true_ones(name: str) -> None:
+def test_reported_errors_are_the_true_ones(name: str) -> None:
     """Against a model of 10⁻⁸, of a coarse one."""
     case, found = asked(name), {}
     for accuracy in (1e-2, 1e-8):

@@ -486,7 +486,7 @@ def test_vibration_that_takes_teeth_out_of_the_cut(monkeypatch):
 
 
 def test_shorter_steps_settle_what_whole_ones_do_not_and_the_best_is_kept(monkeypatch):
-    """Towards a limit; the change is told over the vibration as it is, here less than the linear
+    """Towards a limit; the change is relative to the vibration as it is, here less than the linear
     one."""
     pitch = tuple(np.radians([60.0, 75.0, 105.0, 120.0]))
     cut = (4, 7e8, 2e8, 0.0, 1.2, 1250.0)

@@ -60,7 +60,7 @@ def test_isotropic_rotors_by_inertia_of_the_exact_shaft(seed: int) -> None:
 @pytest.mark.few(2)
 @pytest.mark.parametrize("seed", [1, 4, 5, 7])
 def test_anisotropic_damped_rotors_by_all_eigenvalues(seed: int) -> None:
-    """Against the dense eigenproblem of many standard elements, no DOF left out."""
+    """Against the dense eigenproblem of many standard elements, no DOF omitted."""
     rng = np.random.default_rng(100 + seed)
     spindle = stepped_rotor(rng, isotropic=False, damped=True)
     short = spindle.shaft.end / 120.0
@@ -95,7 +95,7 @@ def test_a_free_bar_by_closed_form(highest: float) -> None:
 
 def test_the_count_does_not_depend_on_the_frame() -> None:
     """The flagship: unsymmetric tangents, modal damping; softened modes are as many, and in the
-    turning frame there are those besides that it sees in the band."""
+    rotating frame there are those besides that it sees in the band."""
     speed = (np.array([0.0, 12000.0, 24000.0]) * RPM).tolist()
     inertial, turning, softened = (
         answered(mfw2310(), speed, 4000.0, formulation=name)
@@ -109,7 +109,7 @@ def test_the_count_does_not_depend_on_the_frame() -> None:
 
 @pytest.mark.few(1)
 @pytest.mark.parametrize("seed", [1, 4])
-def test_reduced_poles_are_those_of_all_freedoms(seed: int) -> None:
+def test_reduced_poles_are_those_of_all_dof(seed: int) -> None:
     """Up to sixty sections on damped uneven supports, the same elements by one dense solve."""
     rng = np.random.default_rng(seed)
     spindle = stepped_rotor(rng, isotropic=False, damped=True, sections=60)

@@ -92,7 +92,7 @@ def test_the_motor_drives_what_the_removal_rate_takes(solved):
     assert known["removal"] == pytest.approx(rate.max() * 60e6)
 
 
-def test_rates_equal_but_for_rounding_are_told_where_the_margin_is_largest(solved):
+def test_rates_equal_but_for_rounding_are_reported_where_the_margin_is_largest(solved):
     """And speeds that are not solved are passed over."""
     found = solved(motor="motor: {power: 1 kW}")
     odd = np.array([math.nan, 1.0, 1.0 - 1e-9, 1.0])

@@ -123,7 +123,7 @@ def whirling(
 
 
 @pytest.mark.parametrize("ratio", [1.0, -1.0])
-def test_a_rotor_that_nothing_joins_to_the_shaft_whirls_as_by_itself(ratio: float) -> None:
+def test_a_rotor_that_nothing_joins_to_the_shaft_whirls_as_alone(ratio: float) -> None:
     """Beside an equal one; the other way round it is its own mirror image in z."""
     alone = Spindle("rod", ROD, supports=held("a"), points={"p": 0.2})
     others = held("b", "other") if ratio > 0.0 else mirrored(held("b", "other"))

@@ -54,7 +54,7 @@ def test_a_rigid_rotor_held_rigidly_has_no_modes_and_does_not_respond(
 
 
 def test_unbalance_of_a_rotor_that_stands_still_moves_nothing() -> None:
-    """Its speed ratio is 0: no force, and no critical speed is asked for."""
+    """Its speed ratio is 0: no force, and no critical speed is requested."""
     sleeve = Rotor("sleeve", 0.0, uniform(0.2, 0.06).shaft, points={"out": 0.1})
     ground = [
         replace(support(name, x, (K, K)), holds="sleeve") for name, x in (("s", 0.05), ("t", 0.15))

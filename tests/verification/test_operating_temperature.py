@@ -1,4 +1,4 @@
-"""From assembly to speed: fits, rotation and temperature, by Lamé's equations solved anew, closed
+"""From assembly to speed: fits, rotation and temperature, by Lamé's equations solved again, closed
 forms, and what must not change."""
 
 from __future__ import annotations

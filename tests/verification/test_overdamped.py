@@ -28,7 +28,7 @@ SPEEDS, RATIOS = (0.0, 50.0, 100.0, 150.0), (0.2, 0.5, 0.8, 0.995)
 @pytest.mark.parametrize("damping", [2e4, 5e4])
 def test_the_error_of_an_overdamped_mode_is_known(damping: float) -> None:
     """Against all eigenvalues of fine elements; a pole that the finer model has nowhere near is
-    not taken for a good one. It is left out of figures and lists, which is no reason to warn of
+    not taken for a good one. It is omitted from figures and lists, which is no reason to warn of
     those that are in them."""
     ends = (("a", 0.0, 2e7), ("b", 0.35, 5e7))
     supports = tuple(

@@ -51,7 +51,7 @@ def test_the_machine_has_60_equal_elements_and_5_bearings() -> None:
 
 
 @kinds
-def test_dense_matrices_are_those_of_every_freedom(kind: str) -> None:
+def test_dense_matrices_are_those_of_every_dof(kind: str) -> None:
     """Against the plain assembly, node by node, of the same 60 elements."""
     built = spindle(kind)
     whole = FullRotor(built, build_mesh(built, SAME.element_length), NO_SEATS, machine.SPEED)

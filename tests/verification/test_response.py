@@ -65,7 +65,7 @@ def apart(one: Any, other: Any) -> float:
 
 @pytest.mark.parametrize("ratios", [(), (0.02, 0.05)], ids=["plain", "modal"])
 @pytest.mark.parametrize("supports", [EVEN, SKEW, UNEVEN], ids=["even", "skew", "uneven"])
-def test_a_dense_solve_of_four_freedoms_a_node(supports: tuple, ratios: tuple) -> None:
+def test_a_dense_solve_of_four_dof_per_node(supports: tuple, ratios: tuple) -> None:
     """Assembled otherwise: both planes node by node, no circular coordinates."""
     spindle = replace(ROTOR, supports=supports, rotor_damping=ratios)
     length = 0.011
@@ -128,7 +128,7 @@ def machines() -> dict[str, tuple[Spindle, dict[str, Any]]]:
 
 
 MACHINES = machines()
-SEEN = 2e-7  # of the peak: errors below a thousandth of the accuracy asked for are not judged
+SEEN = 2e-7  # of the peak: errors below a thousandth of the accuracy requested are not judged
 
 
 @pytest.mark.few(4)
@@ -139,7 +139,7 @@ def test_reported_errors_are_those_of_a_coarser_model(kind: str) -> None:
     spindle, more = MACHINES[kind]
     rough, fine = (response(spindle, 15000.0, accuracy=a, **more) for a in (1e-4, 1e-8))
     true = np.abs(values(rough) - values(fine)).max(axis=1) / np.abs(values(fine)).max(axis=1)
-    # in turning axes modes up to Ω beyond the band of the model are seen within it
+    # in rotating axes modes up to Ω beyond the band of the model are seen within it
     apart = np.abs(np.log(rough.error / true))[true > SEEN]
     assert apart.max(initial=0.0) < math.log(6.0 if kind == "turning" else 3.0)
     assert (rough.error[true <= SEEN] < 10.0 * SEEN).all()
@@ -147,7 +147,7 @@ def test_reported_errors_are_those_of_a_coarser_model(kind: str) -> None:
 
 
 @pytest.mark.parametrize("supports", [EVEN, UNEVEN], ids=["even", "uneven"])
-def test_told_errors_are_those_of_the_elements(supports: tuple) -> None:
+def test_reported_errors_are_those_of_the_elements(supports: tuple) -> None:
     """Against the exact shaft."""
     spindle = replace(ROTOR, supports=supports)
     exact = exact_receptance(seen(spindle, 20000.0), ASKED, np.array(BAND))[0]

@@ -87,7 +87,7 @@ def test_pinned_beam_in_closed_form() -> None:
     assert found == pytest.approx(np.array(exact) / (2.0 * math.pi), rel=1e-8)
 
 
-def test_each_plane_by_itself() -> None:
+def test_each_plane_alone() -> None:
     """Held in y and z at different places, the planes are those of two machines."""
     mixed = beam(pin("a", 0.0), pin("b", LENGTH, "y"), pin("c", 0.3, "z"))
     ends = [beam(pin("a", 0.0), pin("b", LENGTH)), beam(pin("a", 0.0), pin("c", 0.3))]
@@ -176,7 +176,7 @@ def test_a_rotor_that_cannot_move() -> None:
 
 
 def test_what_acts_on_a_rigid_support_moves_nothing() -> None:
-    """Nor does the place held there move; the support carries the unbalance by itself, Ω² U."""
+    """Nor does the place held there move; the support alone carries the unbalance force Ω² U."""
     spindle = beam(pin("a", 0.0), spring("b", LENGTH, 5e7, damping=1e3))
     spindle = replace(spindle, points={**spindle.points, "held": 0.0})
     spec: Any = UnbalanceSpec(("mid", "end"), (Unbalance("held", 1e-5),), run_up=(1.0,))

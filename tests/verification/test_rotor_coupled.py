@@ -1,4 +1,4 @@
-"""Supports that couple bending, axial motion and torsion, against all freedoms of every node."""
+"""Supports that couple bending, axial motion and torsion, against all DOF of every node."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ def gap(ours: np.ndarray, exact: np.ndarray, driven: np.ndarray) -> float:
 
 def compare(found: Scene, row: int) -> None:
     ours, exact = above(poles(found, row)), whole(found, row).poles(HIGHEST)
-    assert len(ours) == len(exact) >= 1  # strong dampers leave few that swing
+    assert len(ours) == len(exact) >= 1  # strong dampers leave few that oscillate
     assert np.abs(ours / exact - 1.0).max() < REDUCED
     curves = receptance(found, EVERY)[row]
     assert gap(curves, dense(found, row, EVERY), dense(found, row, DRIVEN)) < 1e-5

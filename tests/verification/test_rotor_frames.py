@@ -1,7 +1,7 @@
-"""The same rotor seen from a turning frame: every whirl frequency shifts by −Ω, exactly.
+"""The same rotor seen from a rotating frame: every whirl frequency shifts by −Ω, exactly.
 
 With r = ρ e^{iΩt} the translational kinetic energy brings Coriolis terms and −Ω² M_ω; of the
-rotations, whose velocities in the turning frame add Ω likewise, remain (2 Jd − Jp) and
+rotations, whose velocities in the rotating frame add Ω likewise, remain (2 Jd − Jp) and
 −Ω² (Jd − Jp): only translation softens, rotary inertia of a slender ring stiffens.
 """
 
@@ -31,7 +31,7 @@ SPIN = 2500.0
 
 
 def turning_frame(spin: float) -> np.ndarray:
-    """Frequencies seen from the frame that turns with the rotor, ascending."""
+    """Frequencies seen from the frame that rotates with the rotor, ascending."""
     translation, rotary = PLANE.translational_mass, PLANE.mass - PLANE.translational_mass
     coriolis = spin * (2 * translation + 2 * rotary - PLANE.polar)
     stiffness = STIFFNESS - spin**2 * translation + spin**2 * (PLANE.polar - rotary)

@@ -1,4 +1,4 @@
-"""Elements of degree n against closed forms: order h^(2n), no locking, exact at few freedoms."""
+"""Elements of degree n against closed forms: order h^(2n), no locking, exact at few DOF."""
 
 from __future__ import annotations
 
@@ -61,10 +61,10 @@ def test_nothing_locks_at_any_slenderness(slenderness: float) -> None:
 
 @pytest.mark.parametrize("spin", [0.0, 2000.0])
 @pytest.mark.parametrize(("elements", "degree"), [(1, 32), (2, 16), (4, 8)])
-def test_six_frequencies_with_the_freedoms_of_32_standard_elements(
+def test_six_frequencies_with_the_dof_of_32_standard_elements(
     elements: int, degree: int, spin: float
 ) -> None:
-    """Stubby beam, L/d = 5: at most 68 freedoms a plane, where 32 standard ones have 64."""
+    """Stubby beam, L/d = 5: at most 68 DOF a plane, where 32 standard ones have 64."""
     beam = PinnedBeam(0.5, 0.1)
     mass, polar, stiffness = pinned(beam, elements, degree)
     assert len(mass) <= 68

@@ -20,7 +20,7 @@ from tests.oracles.whirl import frequencies_at_rest
 
 
 def motions(x: np.ndarray, centre: float) -> dict[str, np.ndarray]:
-    """The six rigid motions about the centre of gravity, each as a vector of all freedoms."""
+    """The six rigid motions about the centre of gravity, each as a vector of all DOF."""
     shapes = {name: np.zeros((len(x), 6)) for name in ALL.names}
     for column, name in enumerate(ALL.names):
         shapes[name][:, column] = 1.0
@@ -30,7 +30,7 @@ def motions(x: np.ndarray, centre: float) -> dict[str, np.ndarray]:
 
 
 def relative_strain(rotor: RotorMatrices, vector: np.ndarray) -> float:
-    """Force left by a motion, over what single freedoms would need."""
+    """Force left by a motion, over what single DOF would need."""
     return float(
         (
             np.abs(rotor.stiffness @ vector) / (np.abs(rotor.stiffness) @ np.abs(vector) + 1e-300)

@@ -327,7 +327,7 @@ def test_rigid_supports_carry_what_stiff_ones_do():
 
 
 def test_given_elements_refine_as_others_do():
-    """Their accuracy is not asked for; that of the parts is."""
+    """Their accuracy is not requested; that of the parts is."""
     given = friswell(run_up=(10.0,), element_length=0.25)
     found = rotordyn.run(given)["unbalance"]
     assert found.run_error.values.max() < 2e-3

@@ -439,8 +439,8 @@ def test_preload_and_drawbar_are_part_of_the_normal_force() -> None:
 def test_sleeves_give_along_and_across() -> None:
     """Rigid rotor under a push along x: bearings side by side, each in series with its sleeve.
 
-    At 24 000 rpm the front sleeve stands at its stop. Across, the linear model of the radial
-    stiffness knows sprung sleeves too.
+    At 24 000 rpm the front sleeve is at its stop. Across, the linear model of the radial
+    stiffness includes sprung sleeves too.
     """
     asked = {
         "preload": PreloadSpec(),

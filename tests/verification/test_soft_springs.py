@@ -70,7 +70,7 @@ def test_rigid_body_on_two_springs(soft: float, spin: float) -> None:
 
 @pytest.mark.parametrize("formulation", ["inertial", "rotating"])
 @pytest.mark.parametrize(("springs", "slow"), [((), 0), ((1e4,), 0), ((1e4, 1e-5), 1)])
-def test_only_what_nothing_holds_is_left_out(
+def test_only_what_nothing_holds_is_omitted(
     springs: tuple[float, ...], slow: int, formulation: str
 ) -> None:
     """Free, hinged on one spring, and hinged with a spring of 10⁻⁹ of it: slow, not free."""

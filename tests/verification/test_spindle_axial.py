@@ -1,4 +1,4 @@
-"""Axial motion and torsion of the spindle against all freedoms of the rod and its sleeves."""
+"""Axial motion and torsion of the spindle against all DOF of the rod and its sleeves."""
 
 from __future__ import annotations
 
@@ -141,7 +141,7 @@ def test_a_heavy_sleeve_is_a_mass_of_its_own() -> None:
 
 
 @pytest.mark.parametrize("spindle", [BARE, mfw2310()], ids=["undamped", "damped"])
-def test_torsion_is_free_and_does_not_know_the_speed(spindle: Spindle) -> None:
+def test_torsion_is_free_and_does_not_depend_on_the_speed(spindle: Spindle) -> None:
     found = scene(spindle, (0, 24000))
     modes = campbell.solve(found, CampbellSpec(6000.0))
     torsion = [k for k, kind in enumerate(modes.kind) if kind == "torsion"]

@@ -24,7 +24,7 @@ def with_support(entries: dict[tuple[str, str], float], **more: object) -> Spind
 
 
 def test_support_that_pushes_aside_as_the_shaft_moves_is_refused_by_name() -> None:
-    """y_x: at rest nothing has moved; at speed rings have grown and the shaft stands elsewhere."""
+    """y_x: at rest nothing has moved; at speed rings have grown and the shaft has moved."""
     found = scene(with_support({("y", "x"): 1e6}), (0, 12000, 24000))
     place = found.preload.net.position[:, 0]
     assert found.outcome[0] == ""

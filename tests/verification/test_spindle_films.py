@@ -68,7 +68,7 @@ def test_films_raise_preload_and_stiffness_and_none_is_at_rest(case):
     np.testing.assert_allclose(wet.preload.films.without, bare, rtol=1e-12)
 
 
-def test_films_beyond_the_formula_of_inlet_heating_are_told(case):
+def test_films_beyond_the_formula_of_inlet_heating_are_reported(case):
     thick = replace(OILED, viscosity_40=20e-3, viscosity_100=0.5e-3, temperature=40.0)
     for oil, said in ((OILED, False), (thick, True)):
         found = scene(case, oil)

@@ -1,4 +1,4 @@
-"""The reduced bending system against all freedoms of the same rotor, solved densely."""
+"""The reduced bending system against all DOF of the same rotor, solved densely."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ def gap(ours: np.ndarray, exact: np.ndarray) -> float:
 @pytest.mark.parametrize("row", [0, 1], ids=["rest", "24000 rpm"])
 def test_poles_below_4_khz(row: int) -> None:
     """Eigenvalues to 1e-6 at rest; at speed the gyroscopic effect couples modes kept to those cut
-    off at four times the band, 1e-5, a tenth of the accuracy asked for."""
+    off at four times the band, 1e-5, a tenth of the accuracy requested."""
     ours, exact = poles(solved(), row, 4000.0), full(solved(), row).poles(4000.0)
     assert len(ours) == len(exact) >= 8
     assert np.abs(ours / exact - 1.0).max() < (1e-6, 1e-5)[row]
@@ -127,7 +127,7 @@ class _Tangents:
         return self._tangents
 
 
-def test_anisotropic_supports_against_all_freedoms() -> None:
+def test_anisotropic_supports_against_all_dof() -> None:
     """Lalanne and Ferraris' rotor at 30 000 rpm, receptance with both planes coupled."""
     rotor = case("lalanne_ferraris")
     found = Scene(
@@ -155,7 +155,7 @@ def test_eigenpairs_leave_no_residual() -> None:
 
 
 def test_static_limit_is_the_flexibility() -> None:
-    """H at 2 Hz against K⁻¹ of all freedoms."""
+    """H at 2 Hz against K⁻¹ of all DOF."""
     found = solved()
     spec = FrfSpec((1e-2,), pairs("Oc2.y/Oc2.y", "Oc1.y/Oc2.y", "Oc2.thz/Oc2.thz"))
     ours = frf.solve(found, spec).receptance[..., 0]

@@ -1,4 +1,4 @@
-"""Radial stiffness of the spindle against all freedoms of the rotor and one bearing at a time."""
+"""Radial stiffness of the spindle against all DOF of the rotor and one bearing at a time."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def test_tangent_at_no_load_is_the_full_matrix() -> None:
         assert tangent(stiffness(rotor), "nonlinear") == pytest.approx(full, rel=1e-6)
 
 
-def test_full_matrix_against_all_freedoms() -> None:
+def test_full_matrix_against_all_dof() -> None:
     found = scene(mfw2310(), SPEEDS)
     for row in range(3):
         for variant, mask in (("full", 1.0), ("diagonal", np.eye(5))):
@@ -84,7 +84,7 @@ def test_curve_against_an_independent_equilibrium(rpm: int, rigid: bool) -> None
 
     Unknowns: forces and moments of the bearings on the shaft follow from (x, y, θz) at the seats;
     the elastic shaft answers with the flexibility of its free-free stiffness about the motion of
-    bearing a, all freedoms kept. Loads are in the spindle's frame; the axial force in the shaft
+    bearing a, all DOF kept. Loads are in the spindle's frame; the axial force in the shaft
     does not act on its bending.
     """
     spindle = mfw2310()
@@ -224,7 +224,7 @@ def test_pressures_met_on_the_way_to_a_state_are_not_its_own() -> None:
 
 @pytest.mark.few(1)
 @pytest.mark.parametrize("kinematics", ["hybrid", "inner"])
-def test_many_steps_of_a_next_to_nothing_force_are_a_straight_line(kinematics: str) -> None:
+def test_many_steps_of_a_vanishing_force_are_a_straight_line(kinematics: str) -> None:
     """A thousandth of a newton in a hundred steps, beside preloads of hundreds."""
     asked = {"stiffness": StiffnessSpec("Oc2", 1e-3, 100, variants=("nonlinear",))}
     found = answers(mfw2310(), SPEEDS, asked, kinematics=kinematics)["stiffness"]
@@ -338,7 +338,7 @@ def test_kinematics_of_two_branches_are_not_followed(monkeypatch: pytest.MonkeyP
 
 @pytest.mark.parametrize("share", [0.999, 1.001])
 def test_a_negative_stiffness_as_large_as_the_machines_pushes_the_shaft_away(share: float) -> None:
-    """Where it acts, the machine stands as long as it has more than that."""
+    """Where it acts, the machine is stable as long as it has more than that."""
     least = tangent(stiffness(), "full")[1]  # at 12 000 rpm; more at rest, less at 24 000 rpm
     field = {(way, way): -share * least for way in ("y", "z")}
     spindle = mfw2310(supports=(LinearSupport("field", -0.0524, field),))

@@ -111,7 +111,7 @@ def test_rigid_rotor_under_unbalance(film: str) -> None:
     np.testing.assert_allclose(found.film_orbit[at, 2], np.abs(expected) / 1e-4, rtol=1e-8)
 
 
-def test_orbits_beyond_what_a_film_is_computed_for_are_told() -> None:
+def test_orbits_beyond_what_a_film_is_computed_for_are_reported() -> None:
     """0.4 of the clearance is assumed; the largest orbit is in proportion to the unbalance."""
 
     def told(size: float) -> list[str]:
@@ -132,7 +132,7 @@ def test_orbits_beyond_what_a_film_is_computed_for_are_told() -> None:
 
 @KINDS
 def test_free_motion_of_a_rigid_rotor(film: str) -> None:
-    """M p² + 2 C p + 2 K = 0 of the motion across the axis, with a thin oil that lets it swing."""
+    """M p² + 2 C p + 2 K = 0 of the motion across the axis, with a thin oil: underdamped."""
     spindle = machine(film)
     spindle = replace(
         spindle, dampers=tuple(replace(each, viscosity=1e-3) for each in spindle.dampers)

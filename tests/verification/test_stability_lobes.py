@@ -133,7 +133,7 @@ def test_process_damping(speed, lag):
 
 
 @pytest.mark.parametrize(("frequency", "speed"), [(0.5, 700.0), (2.2, 700.0), (2.2, 1e6)])
-def test_a_machine_that_is_unstable_by_itself_has_no_stable_depth(frequency, speed):
+def test_a_machine_that_is_unstable_without_a_cut_has_no_stable_depth(frequency, speed):
     """With a mode of negative damping below the highest frequency, or far above, where the map by
     which depths are tried has none; at a speed of which all depths would be stable, too."""
     omega, top = resolving(MACHINE.receptance)
@@ -208,7 +208,7 @@ def test_process_damping_at_zero_order():
 @pytest.mark.parametrize("rubs", [0.0, 2e-2])
 def test_the_largest_of_many_crossings_is_found(rubs):
     """Random modes, some 2000 waves between two cuts, against 24 times as many samples: which
-    crossing is the largest cannot be told by the samples beside it."""
+    crossing is the largest cannot be determined by the samples next to it."""
     for seed in range(5):
         random = np.random.default_rng(seed)
         natural, ratio = random.uniform(1.2e3, 1.2e4, 3), 10.0 ** random.uniform(-2.3, -1.2, 3)
@@ -413,7 +413,7 @@ def test_refusals(given, sentence):
 
 
 def test_process_damping_is_not_known_of_a_loss_factor():
-    """Nor left out: only zero order takes it."""
+    """Nor omitted: only zero order takes it."""
 
     def hysteretic(omega):
         one = 1e-7 / (1.0 - (omega / 4000.0) ** 2 + 0.05j)

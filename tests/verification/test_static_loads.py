@@ -91,7 +91,7 @@ def test_a_load_that_vanishes_leaves_the_state_without_loads() -> None:
 
 
 def test_loads_across_the_axis_leave_the_mounted_ones() -> None:
-    """Bearings in tandem are one without loads across the axis, and each by itself under them."""
+    """Bearings in tandem are one without loads across the axis, and each alone under them."""
     plain, pulled = scene(mfw2310(), [0.0]), loaded([0.0], PointLoad(at="Oc2", Fy=500.0))
     assert (pulled.preload.mounted_load() == plain.preload.mounted_load()).all()
     table = preload_answer(pulled, PreloadSpec())
@@ -255,7 +255,7 @@ def two_bearings() -> Spindle:
 
 @pytest.mark.parametrize("rpm", [0.0, 15000.0])
 def test_loaded_campbell_of_two_bearings(rpm: float) -> None:
-    """Balance and modes by dense matrices of standard elements, every bearing solved by itself."""
+    """Balance and modes by dense matrices of standard elements, every bearing solved alone."""
     spindle = two_bearings()
     loads = (PointLoad(at="tool", Fy=250.0, Fz=-400.0), PointLoad(at="tail", Fy=300.0))
     modelled = Conditions(

@@ -316,7 +316,7 @@ def test_words_and_figure() -> None:
 
 
 @pytest.mark.parametrize("gauges", [(-0.02, 0.0, 0.05), (0.3, 0.31, 0.32, 0.33)])
-def test_what_gauges_near_to_each_other_read_stands_beside_each_other(
+def test_what_gauges_near_to_each_other_read_is_beside_each_other(
     gauges: tuple[float, ...],
 ) -> None:
     """Within the panel, too."""
@@ -336,7 +336,7 @@ def test_what_gauges_near_to_each_other_read_stands_beside_each_other(
     assert len(said) == len(gauges), "of the first machine alone"
 
 
-def test_what_a_gauge_reads_stands_clear_of_the_shaft() -> None:
+def test_what_a_gauge_reads_is_clear_of_the_shaft() -> None:
     """At the lower end of an overhang the shaft lies above the gauge."""
     spindle = beam(*SUPPORTS["rigid"])
     found = solved(spindle, gauges=(0.0,))

@@ -71,7 +71,7 @@ def pendulum(stiffness: float) -> float:
 @pytest.mark.parametrize("soft", [1e3, 1.0])
 @pytest.mark.parametrize("stiff", [1e12, 1e14, 1e16, 1e18, 1e20])
 def test_a_slow_motion_beside_a_stiff_spring_keeps_its_error(soft: float, stiff: float) -> None:
-    """Rounding is told where it counts: of springs not stiff enough to be set apart."""
+    """Rounding is reported where it counts: of springs not stiff enough to be set apart."""
     ends = spring("a", 0.0, stiff), spring("b", LENGTH, soft)
     found = solved(beam(*ends), 1e-6, 2000.0)
     lowest = int(np.nanargmin(found.frequency[0]))

@@ -161,7 +161,7 @@ def test_more_values_than_fit_are_refused() -> None:
 
 
 def test_unbalance_at_a_critical_speed_solved_for() -> None:
-    """The critical speed that is told is the one at which there is no steady response."""
+    """The critical speed that is reported is the one at which there is no steady response."""
     spindle = bar()
     spec = UnbalanceSpec(("tip",), (Unbalance("tip", 1e-6),))
     speeds = np.array([0.0, 6000.0])

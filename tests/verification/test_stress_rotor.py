@@ -191,7 +191,7 @@ def test_waves_shorter_than_matrices_hold_are_refused() -> None:
         tracemalloc.stop()
 
 
-# --- next to nothing -----------------------------------------------------------------------------
+# --- almost nothing -----------------------------------------------------------------------------
 
 
 @pytest.mark.few(2)
@@ -228,7 +228,7 @@ def test_a_soft_support_lets_nothing_grow(stiffness: float) -> None:
 
 
 @pytest.mark.parametrize("mass", [5e-324, 1e-12])
-def test_next_to_no_mass_changes_nothing(mass: float) -> None:
+def test_almost_no_mass_changes_nothing(mass: float) -> None:
     with_mass = on_two(masses=(PointMass("m", 0.2, mass, mass, mass),))
     assert bending(modes(with_mass)) == pytest.approx(bending(modes(on_two())), rel=1e-6)
 
@@ -297,7 +297,7 @@ def test_nearly_repeated_frequencies_are_two(uneven: float) -> None:
 
 @pytest.mark.parametrize("uneven", [1e-15, 1e-9])
 @pytest.mark.parametrize("spin", [1e-6, 500.0])
-def test_planes_nearly_alike_whirl_as_all_freedoms_do(uneven: float, spin: float) -> None:
+def test_planes_nearly_alike_whirl_as_all_dof_do(uneven: float, spin: float) -> None:
     """One dense solve of the elements without reduction, planes side by side."""
     held = tuple(
         support(n, x, (HELD, HELD * (1.0 + uneven))) for n, x in (("left", 0.05), ("right", 0.45))

@@ -1,4 +1,4 @@
-"""Spindles at the edge: lost contact, preloads and springs of next to nothing (docs/stress.md)."""
+"""Spindles at the edge: lost contact, almost vanishing preloads and springs (docs/stress.md)."""
 
 from __future__ import annotations
 
@@ -96,7 +96,7 @@ def test_edge_of_lost_contact(way: float) -> None:
 @pytest.mark.long
 def test_past_unloading_the_state_goes_on() -> None:
     """Against the axial cycle, which follows forces on its own; and as under a faint load across
-    the axis, with which every bearing is solved in its five freedoms."""
+    the axis, with which every bearing is solved in its five DOF."""
     rpm, forces = [0.0, 12000.0, 24000.0], (-12e3, 90e3)
     cycle = cycle_answer(scene(mfw2310(), rpm), AxialCycleSpec(*forces, 1))
     across = PointLoad(at="Oc2", Fy=1e-6)
@@ -186,7 +186,7 @@ def test_next_to_no_preload_is_none(preload: float) -> None:
 
 @pytest.mark.parametrize("preload", [0.1, 30.0])
 def test_preload_at_rest_is_what_is_stated(preload: float) -> None:
-    """Of tandem twins each carries half; the tangent goes with the cube root of the load."""
+    """Each of a tandem pair carries half; the tangent goes with the cube root of the load."""
     found = dynamic_preload(preloaded(preload), STILL, LAW)
     assert found.outcome == ("",)
     thrust = np.array([seat.thrust for seat in mfw2310().seats])
@@ -255,7 +255,7 @@ def test_sleeves_at_the_ends_of_their_range(one: dict[str, float], other: dict[s
 
 @pytest.mark.parametrize("travel", [5e-324, 1e-15])
 def test_stops_without_travel_are_rigid_preload(travel: float) -> None:
-    """From the first speed the sleeve stands at its stop, or bearings alone say the load."""
+    """From the first speed the sleeve is at its stop, or the bearings alone determine the load."""
     found = dynamic_preload(on_sleeves(stop_travel=travel), np.array([0.0, 6000.0 * RPM]), LAW)
     nought = dynamic_preload(on_sleeves(stop_travel=0.0), np.array([0.0, 6000.0 * RPM]), LAW)
     assert found.outcome == ("", "")

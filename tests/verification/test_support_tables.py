@@ -298,7 +298,7 @@ def test_critical_speeds_and_threshold_within_the_table() -> None:
 
 
 def steep(seed: int) -> Spindle:
-    """A table whose values leap by up to three decades from knot to knot."""
+    """A table whose values jump by up to three decades between breakpoints."""
     rng = np.random.default_rng(seed)
     inner = np.sort(rng.uniform(0.0, 1.0, rng.integers(0, 6)))
     breakpoints = (0.0, *(inner * SPEEDS[-1]).tolist(), SPEEDS[-1])
@@ -365,7 +365,7 @@ def test_two_critical_speeds_between_two_breakpoints(order: float, roots: int) -
 
 
 def test_threshold_of_what_grows_between_the_speeds_only() -> None:
-    """m r̈ + c ṙ + (k − iq) r = 0 grows where q > c √(k/m); q has its peak at a knot, where the case
+    """m r̈ + c ṙ + (k − iq) r = 0 grows where q > c √(k/m); q peaks at a breakpoint, where the case
     has no speed."""
     rotor = replace(STEPPED, masses=(), supports=())
     body, top, stiff, damper = rotor_inertia(rotor), 800.0, 2e6, 200.0
@@ -402,7 +402,7 @@ def rising() -> Scene:
 
 
 def test_no_critical_speed_by_the_supports_of_one_speed() -> None:
-    """The stiffness asked for is that of the breakpoints on either side."""
+    """The stiffness requested is that of the breakpoints on either side."""
     found = campbell.solve(rising(), CampbellSpec(1500.0, engine_orders=(1,)))
     assert len([name for name in found.critical if name.startswith("bending")]) == 2
 

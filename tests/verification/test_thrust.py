@@ -110,7 +110,7 @@ def test_the_largest_moment(part: float) -> None:
     assert s.inner_load.sum() - np.sort(s.inner_load)[-2:].sum() < 0.2 * s.inner_load.sum()
 
 
-def test_a_load_that_it_cannot_carry_is_named_where_it_stands(tmp_path: Path) -> None:
+def test_a_load_that_it_cannot_carry_is_named_where_it_is(tmp_path: Path) -> None:
     """Among those of a case that it can."""
     head = "title: t\nspeeds: [0 rpm]\nbearing: thrust_50x78x22\nanalyses:\n  bearing:\n"
     path = tmp_path / "case.yaml"

@@ -91,7 +91,7 @@ def seen(spindle: Spindle, spec: TimeResponseSpec, rpm: float, **given: Any) -> 
 
 def rigid_motion(scene: Scene, force: ForceOverTime, time: Array) -> Array:
     """(x, y, z, θy, θz) of the centre of gravity (t, 5): Newton's and Euler's equations of a rigid
-    body, each bearing asked for its load where its ring is; ``force`` along y at x = 0."""
+    body, each bearing solved for its load at its ring; ``force`` along y at x = 0."""
     spindle, speed = scene.spindle, float(scene.speed[0])
     body = rotor_inertia(spindle)
     begun = [balls.displacement[0, at] for balls, at in scene.preload.seat_states()]
@@ -304,7 +304,7 @@ def test_a_force_that_grows_slowly_ends_in_the_state_under_it(rotor: str, apart:
 
 def test_the_gap_of_a_stop_is_that_of_the_state_under_the_force() -> None:
     """200 N along the axis on a spring of 5 N/µm, slowly: the sleeve ends where the axial state
-    has it, and beyond a closer stop that is told."""
+    has it, and beyond a closer stop that is reported."""
     for travel, told in ((60e-6, False), (1e-6, True)):
         spindle = short(6000.0, Spring(300.0, 5e6), travel)
         slow = push(-200.0, direction="x", pulse=0.1)
@@ -436,7 +436,7 @@ def test_linear_steps_together_are_those_one_by_one(
         state = step.end(state, given)
 
 
-def test_pressures_beyond_what_contacts_stand_are_warned_of() -> None:
+def test_pressures_beyond_what_contacts_bear_are_warned_of() -> None:
     spec = TimeResponseSpec(1e-3, 4000.0, ("nose",), (push(2e4, pulse=4e-4),))
     found = solve_time_response(seen(short(), spec, [0.0, 20000.0], **CONTROL), spec)
     sentences = [one for one in warnings(found) if "contact pressure" in one]
@@ -603,7 +603,7 @@ STOP = 3e8  # N/m
 
 def along_the_axis(scene: Scene, force: ForceOverTime, time: Array) -> Array:
     """Displacements of shaft and sleeve along the axis (t, 2), both rigid, by Newton's equations of
-    two bodies: bearings asked for their load where their rings are, a spring, and a stop that only
+    two bodies: bearings solved for their load at their rings, a spring, and a stop that only
     pushes."""
     spindle, speed, state = scene.spindle, float(scene.speed[0]), scene.preload
     sleeve, (front, rear) = spindle.sleeves[0], spindle.seats
@@ -759,7 +759,7 @@ def test_an_error_as_large_as_the_motion_is_no_accuracy() -> None:
 
 @pytest.mark.few(1)
 @pytest.mark.parametrize(("mass", "stiffness"), [(0.2, 3e9), (0.05, 3e10)])
-def test_knocks_shorter_than_the_steps_are_told(mass: float, stiffness: float) -> None:
+def test_knocks_shorter_than_the_steps_are_reported(mass: float, stiffness: float) -> None:
     """The force of a stop is as far from that of small steps as its change says, or told."""
     blow = push(-2500.0, direction="x", pulse=6e-4)
     machine = short(600.0, Spring(300.0, 5e6), 4e-6)
@@ -774,7 +774,7 @@ def test_knocks_shorter_than_the_steps_are_told(mass: float, stiffness: float) -
     assert bool(told) == (stiffness > 1e10)
 
 
-def test_what_stops_do_is_told() -> None:
+def test_what_stops_do_is_reported() -> None:
     """With a stiffness the force of a stop, without one that it would close, or open."""
 
     def said(found: Any) -> list[str]:

@@ -153,7 +153,7 @@ def test_the_expected_pole_is_that_of_the_derivative() -> None:
 
 @pytest.mark.parametrize("between", [1e5, 1e7])
 def test_modes_overdamped_between_two_speeds_lose_no_others(between: float) -> None:
-    """Tables of damping with a peak between: there the planes have more poles that do not swing."""
+    """Tables of damping with a peak between: there the planes have more overdamped poles."""
     damping = (10.0, 10.0, between, 10.0, 10.0)
     held = tuple(
         LinearSupport(

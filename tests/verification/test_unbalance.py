@@ -174,7 +174,7 @@ def test_a_rotor_that_turns_against_the_spindle_moves_as_it_turns(ratio: float, 
 
 def test_whirl_that_is_backward_at_every_speed_begins_at_rest() -> None:
     """Isotropic supports, all orbits turned the other way: those of a rotor that turns against the
-    spindle. At rest there is no orbit, which says nothing of its sense."""
+    spindle. At rest there is no orbit, so that its sense is undefined."""
     spindle = on_two(block(K, K), block(C, C))
     found = solved(spindle, np.linspace(0.0, 800.0, 5).tolist(), Unbalance("disc", U))
     assert not any("backward" in line for line in unbalance_lines(found))
@@ -262,7 +262,7 @@ def test_receptances_at_the_frequency_of_rotation(spindle: Spindle) -> None:
 
 
 def test_formulations_agree(spindle: Spindle) -> None:
-    """Turning frame, both planes apart, and axial motion in the same system: one response."""
+    """Rotating frame, both planes apart, and axial motion in the same system: one response."""
     points = ("Oc2", "O3")
     plain = solved(spindle, SPEEDS, *SPREAD, points=points)
     turning = solved(
@@ -672,7 +672,7 @@ def test_critical_speeds_are_those_of_the_campbell_diagram_without_its_other_wor
 
 @pytest.mark.parametrize("pole", [-1.0 + 100.0j, 1.0 + 100.0j])
 def test_ends_of_growth_that_rounding_alone_tells_apart_are_those_known(monkeypatch, pole):
-    """Solved anew, both speeds decay, or both grow."""
+    """Solved again, both speeds decay, or both grow."""
     monkeypatch.setattr(growth, "slowest_pole", lambda scene, spec: np.array([pole]))
     anywhere = SimpleNamespace(at=lambda speed: SimpleNamespace(outcome=("",)))
     assert growth._edge(anywhere, None, 100.0, 200.0) == 200.0

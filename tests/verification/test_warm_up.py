@@ -361,7 +361,7 @@ def test_steps_are_halved_until_the_time_of_running_away_stays() -> None:
     assert result.ended == pytest.approx(770.0, rel=0.05)
 
 
-def test_steps_too_long_for_what_they_follow_are_told() -> None:
+def test_steps_too_long_for_what_they_follow_are_reported() -> None:
     told = [*warnings(replace(warmed()[1], error=14.0))]
     assert any("still move temperatures by 14 K" in line for line in told)
     assert not any("still move" in line for line in warnings(warmed()[1]))
@@ -473,7 +473,7 @@ def test_shaft_and_housing_are_drawn_within_their_axes() -> None:
         assert values.max() < high
 
 
-def test_times_are_told_in_units_that_suit_them() -> None:
+def test_times_are_reported_in_units_that_suit_them() -> None:
     assert [in_words(t) for t in (3.21, 97.0, 7100.0, 9e4)] == [
         "3.21 s",
         "1.62 min",
@@ -487,7 +487,7 @@ def test_a_duration_too_short_says_so() -> None:
     assert any("still warming up at the end" in line for line in warnings(result))
 
 
-def test_temperatures_on_their_way_are_told_where_loads_are_those_in_the_end() -> None:
+def test_temperatures_on_their_way_are_reported_where_loads_are_those_in_the_end() -> None:
     """Behind a soft spring. The rise left is that of a run of an hour and a half."""
     machine = held(rigid=False)
     (sleeve,) = machine.sleeves
@@ -511,7 +511,7 @@ def test_temperatures_on_their_way_are_told_where_loads_are_those_in_the_end() -
 
 
 def test_a_temperature_is_late_by_more_than_a_kelvin_and_on_its_way() -> None:
-    """The share of the way is left out where it ends farther from balance than it began."""
+    """The share of the way is omitted where it ends farther from balance than it began."""
     result = begun()
     settled = replace(
         result,

@@ -119,7 +119,7 @@ def test_decrement_and_rigid_body_labels() -> None:
 
 
 def test_a_rotor_has_four_rigid_body_modes_of_bending_at_most() -> None:
-    """On stiff springs the rigid motions are in more modes; the four largest shares are told."""
+    """On stiff springs the rigid motions are in more modes; the four largest shares are given."""
     held = [support("a", 0.085, (1e9, 1e9)), support("b", 0.515, (6e8, 4e8))]
     disc = PointMass("disc", 0.0, 5.0, 0.1, 0.075)
     rotor = uniform(0.645, 0.1, STEEL, inner=0.062, masses=(disc,), supports=held)

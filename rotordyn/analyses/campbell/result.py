@@ -174,7 +174,7 @@ class TurningCampbellResult(CampbellResult):
     turning_frame: ClassVar[bool] = True
 
     frequency: Array = quantity(
-        "speed", "mode", unit="Hz", label="damped frequency in the turning frame"
+        "speed", "mode", unit="Hz", label="damped frequency in the rotating frame"
     )
     frequency_error: Array = quantity(
         "speed", "mode", unit="1", label="estimated error over the frequency in the fixed frame"

@@ -41,7 +41,7 @@ def summary(result: CampbellResult) -> list[str]:
     ]
     if result.mostly_overdamped.any():
         entries.append(f"{result.mostly_overdamped.sum()} more, overdamped")
-    frame = " in the turning frame" if turning(result) else ""
+    frame = " in the rotating frame" if turning(result) else ""
     lines = [f"modes [Hz]{frame} {rpm}: " + "; ".join(map(unbroken, entries)), *_overdamped(result)]
     if len(result.speed) == 1:
         return lines

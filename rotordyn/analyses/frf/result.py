@@ -293,11 +293,11 @@ class TurningFrfResult(FrfResult):
 
     turning_frame: ClassVar[bool] = True
 
-    frequency: Array = coordinate("frequency", unit="Hz", label="frequency in the turning frame")
+    frequency: Array = coordinate("frequency", unit="Hz", label="frequency in the rotating frame")
     receptance: Complex = quantity(
         "speed",
         "pair",
         "frequency",
         unit="m/N, rad/N, rad/(N·m)",
-        label="receptance in the turning frame",
+        label="receptance in the rotating frame",
     )

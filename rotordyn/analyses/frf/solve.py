@@ -65,7 +65,7 @@ def solve(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
 
     Raises
     ------
-    InvalidInput : mobility or inertance in the turning frame; more values than fit; a frequency
+    InvalidInput : mobility or inertance in the rotating frame; more values than fit; a frequency
         at which the response is unbounded
     """
     turning = scene.conditions.formulation == ROTATING

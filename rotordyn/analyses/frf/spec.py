@@ -19,7 +19,7 @@ from rotordyn.scene.formulation import ROTATING, turned
 from rotordyn.scene.spec import Setting, Spec
 
 ORDERS_TURNED = (
-    "a multiple of the speed has another frequency in the turning frame: leave engine_orders out, "
+    "a multiple of the speed has another frequency in the rotating frame: leave engine_orders out, "
     "or take formulation: inertial"
 )
 MOST_VALUES = 100_000_000

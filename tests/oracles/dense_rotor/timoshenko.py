@@ -1,4 +1,4 @@
-"""Two-node shaft element with six freedoms per node: bending in two planes, axial rod, torsion.
+"""Two-node shaft element with six DOF per node: bending in two planes, axial rod, torsion.
 
 Local order: x, y, z, thx, thy, thz of the left node, then of the right one. A right-handed spin Ω
 about +x gives M_y the term +Ip Ω θz′ and M_z the term −Ip Ω θy′, so that with r = y + i z and
@@ -84,7 +84,7 @@ def _compose(plane: PlaneBending, axial: Rod, torsion: Rod) -> ShaftElement:
 
 
 def _transform(*names: str, signs: tuple[int, ...]) -> Array:
-    """Matrix (12, 2 w) that sends local freedoms, node by node, to the twelve."""
+    """Matrix (12, 2 w) that sends local DOF, node by node, to the twelve."""
     width = len(names)
     matrix = np.zeros((12, 2 * width))
     for node in (0, 1):

@@ -84,7 +84,7 @@ def _turning(structure: Structure, dampers: Array) -> Array:
 
 
 def dense_poles(spindle: Spindle, spin: float, highest: float, accuracy: float | None) -> Complex:
-    """All poles of bending [rad/s] that swing, by size; elements good to ``accuracy`` up to
+    """All poles of bending [rad/s] that oscillate, by size; elements good to ``accuracy`` up to
     ``highest`` [Hz], of a rotor on linear supports.
 
     Motions are counted from that of the first node, so that rounding of stiff pieces does not hold

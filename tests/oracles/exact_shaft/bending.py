@@ -94,7 +94,7 @@ def exact_modes(scene: Scene, highest: float, x: Array) -> tuple[Complex, Comple
 
 
 def signed_poles(scene: Scene, row: int) -> Complex:
-    """Poles of the scene's own bending at a usable speed, rigid motions left out; backward whirl
+    """Poles of the scene's own bending at a usable speed, rigid motions omitted; backward whirl
     has Im λ < 0, where planes are coupled both of each pair are given."""
     found = []
     for k in scene.with_motions(("bending",)):

@@ -204,7 +204,7 @@ def _segments(part: Spindle, x: Array) -> Segments:
 def coaxial_poles(
     spindle: Spindle, spin: float, near: Complex, highest: float
 ) -> tuple[Complex, Array]:
-    """All poles of bending that swing [rad/s], up to ``highest`` [rad/s] and a little farther, and
+    """All oscillating poles of bending [rad/s], up to ``highest`` [rad/s] and a little farther, and
     how well each is known (relative): by pieces half as long, and of cones by ever more cylinders.
 
     ``near``: poles close to these, beyond the band as well; they only save time, as the number of

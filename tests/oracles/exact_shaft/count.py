@@ -8,7 +8,7 @@ Williams, Q. J. Mech. Appl. Math. 24 (1971) 263.)
 
 Eliminated from the left, node by node, the stiffness S of all that is left of a piece with transfer
 matrix T becomes (T21 + T22 S)(T11 + T12 S)⁻¹ at its right end. So the piece's own stiffness, which
-may be 10¹⁵ times that of the springs the rotor swings on, is never subtracted from itself.
+may be 10¹⁵ times that of the springs the rotor oscillates on, is never subtracted from itself.
 """
 
 from __future__ import annotations
@@ -78,7 +78,7 @@ def _strings(rotor: ExactRotor) -> int:
 def whirl_frequencies(rotor: ExactRotor, number: int, direction: int = 1) -> Array:
     """The ``number`` lowest frequencies of whirl [rad/s], each proven to be the n-th, ascending.
 
-    ``direction`` +1 forward, −1 backward. Rigid motions at rest frequency zero are left out.
+    ``direction`` +1 forward, −1 backward. Rigid motions at rest frequency zero are omitted.
     """
     free = modes_below(rotor, direction * FIRST * 1e-3)
     highest = FIRST

@@ -12,7 +12,7 @@ from tests.oracles.exact_shaft.poles import ExactMode, neighbours, reached
 from tests.oracles.exact_shaft.shooting import Shooting
 
 Complex = NDArray[np.complex128]
-SAME = 1e-6  # of |ω|: nearer roots are one until their vectors are told apart
+SAME = 1e-6  # of |ω|: nearer roots are one until their vectors are distinguished
 DEPTH = 60  # halvings of the rectangle
 
 

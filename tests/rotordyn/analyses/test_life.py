@@ -155,7 +155,7 @@ def test_static_rating_of_a_catalogue_scales_safety_and_fatigue_limit() -> None:
     assert (rated.life_factor[0, 1:] == plain.life_factor[0, 1:]).all()
 
 
-def test_an_oil_too_thick_for_the_formula_of_inlet_heating_is_told() -> None:
+def test_an_oil_too_thick_for_the_formula_of_inlet_heating_is_reported() -> None:
     thick = replace(OIL, viscosity_40=90e-3, viscosity_100=1e-3, temperature=40.0)
     ours = of_grinding(LifeSpec(thick), rpm=(0, 100, 12000))
     assert (ours.film[1] > 0.0).all()
@@ -220,7 +220,7 @@ def test_oil_that_does_not_flow_is_refused() -> None:
         Lubrication("32 mm^2/s", "5.4 mm^2/s", "-60 degC")  # type: ignore[arg-type]
 
 
-def test_a_spectrum_at_rest_is_told() -> None:
+def test_a_spectrum_at_rest_is_reported() -> None:
     found = of_grinding(LifeSpec(spectrum=(LoadStep(share=1.0, speed=0.0),)))
     assert any("spectrum" in line and "set > 1e6" in line for line in summary(found))
 
@@ -389,7 +389,7 @@ def test_impossible_questions(make: Any, sentence: str) -> None:
         make()
 
 
-def test_a_radial_load_on_a_thrust_bearing_is_refused_where_it_stands(tmp_path: Any) -> None:
+def test_a_radial_load_on_a_thrust_bearing_is_refused_where_it_is(tmp_path: Any) -> None:
     import rotordyn
 
     file = tmp_path / "case.yaml"

@@ -374,7 +374,7 @@ def test_modes_far_above_the_band_add_their_static_residual():
         assert np.abs(found - exact).max() < 1.1e-2 * np.abs(exact).max()
 
 
-def test_a_workpiece_that_gives_way_stands_beside_the_measured_tip():
+def test_a_workpiece_that_gives_way_is_beside_the_measured_tip():
     """Its modes are known exactly, and may lie above the band of the measurement."""
     modes = WorkpieceMode(800.0, 0.02, 1e7, 0.4), WorkpieceMode(7000.0, 0.02, 1e8)
     alone = tip_of(base(1))
@@ -446,7 +446,7 @@ def test_a_band_that_holds_no_two_frequencies_of_the_measurement(tested, band):
     case(tested, asked.replace(band, "[61 Hz, 62 Hz]"))
 
 
-def test_of_a_faulty_file_its_fault_alone_is_told(tested):
+def test_of_a_faulty_file_its_fault_alone_is_reported(tested):
     (tested / "lost.csv").write_text("nothing\n", encoding="utf-8")
     with pytest.raises(RotordynError, match=r"lost\.csv") as told:
         case(tested, frf(measured("lost.csv", "y")))
@@ -457,7 +457,7 @@ def test_of_a_faulty_file_its_fault_alone_is_told(tested):
     ("kept", "sentence"),
     [(5, "too few frequencies: given 4; allowed: from 6"), (3, "column 2: not a finite number")],
 )
-def test_a_faulty_table_is_told_without_what_follows_from_it(tested, kept, sentence):
+def test_a_faulty_table_is_reported_without_what_follows_from_it(tested, kept, sentence):
     rows = (tested / "noisy.csv").read_text(encoding="utf-8").splitlines()[:kept]
     if kept == 3:
         rows[2] = ",".join([rows[2].split(",")[0], "nan", *rows[2].split(",")[2:]])

@@ -90,7 +90,7 @@ def test_the_floor_of_a_sensor_is_found_and_weighs_as_it_does(seed: int) -> None
     assert np.sqrt(np.mean(off**2)) < 1.5 * np.sqrt(np.mean(least**2))
 
 
-def test_noise_by_coherence_is_told_from_a_share_of_every_sample() -> None:
+def test_noise_by_coherence_is_distinguished_from_a_share_of_every_sample() -> None:
     """H₁ of 20 averages with a coherence that falls from line to line at random."""
     rng, exact = np.random.default_rng(3), responses()
     gamma = rng.uniform(0.3, 0.999, exact.shape)

@@ -321,7 +321,7 @@ def test_each_finer_model_is_solved_once(tmp_path, monkeypatch):
 
 @pytest.mark.parametrize(("modelled", "most"), [(3000.0, 48e3), (4000.0, 64e3), (20e3, 80e3)])
 def test_finer_models_end_beyond_60_khz(tmp_path, monkeypatch, modelled, most):
-    """Sixteen times the frequency asked for, or the first power of two beyond 60 kHz."""
+    """Sixteen times the frequency requested, or the first power of two beyond 60 kHz."""
     asked = []
 
     def depth(self, scene, row, doublings, number):
@@ -685,7 +685,7 @@ def test_process_damping_deepens_slow_cuts(case, slow, constant):
 
 
 def test_a_cut_too_slow_for_the_finer_model_keeps_the_first(tmp_path):
-    """At 150 rpm waves of the tool's own mode are too many; what changes elsewhere is told."""
+    """At 150 rpm waves of the tool's own mode are too many; what changes elsewhere is reported."""
     asked = ASKED | {"max_frequency": "900 Hz", "radial": "400 MPa", "milling": "down"}
     path = tmp_path / "tool.yaml"
     slow = SLENDER.replace("tip: 0", "tip: -40").replace("[9000 rpm", "[150 rpm, 9000 rpm")
@@ -764,7 +764,7 @@ def test_faults_of_turning_workpieces_and_intervals(case, given, sentence):
         case(**given)
 
 
-def test_uneven_teeth_stand_beside_evenly_spaced_ones(case):
+def test_uneven_teeth_are_beside_evenly_spaced_ones(case):
     """Rounded pitches make a full turn; the figure has both."""
     uneven, even = (lobes(case(**given)) for given in ({"pitch": "[160.04 deg, 200 deg]"}, {}))
     np.testing.assert_array_equal(uneven.even, even.depth)
@@ -795,7 +795,7 @@ def test_cases_are_kept_with_their_results(case):
         assert restored(json.loads(json.dumps(archived(spec)))) == spec
 
 
-def test_lobes_between_speeds_are_told() -> None:
+def test_lobes_between_speeds_are_reported() -> None:
     """Waves from tooth to tooth are those of the chatter; a lobe passes where they change by 1."""
     case = rotordyn.load("deep_groove_lobes")
     spec = replace(case.analyses["stability_lobes"], max_frequency=2500.0)
@@ -818,7 +818,7 @@ def test_lobes_between_speeds_are_told() -> None:
     assert "at all 3 speeds" in sparse.summary
 
 
-def test_steps_that_are_not_told_lose_a_quarter_of_a_lobe_at_most():
+def test_steps_that_are_not_reported_lose_a_quarter_of_a_lobe_at_most():
     """Turning on one mode of 1 %: least limits of samples, wherever they begin, over the lowest
     point of the lobe."""
     natural, each = 2.0 * math.pi * 600.0, 80
@@ -857,9 +857,9 @@ analyses:
 
 
 @pytest.mark.parametrize("immersion", ["30 %", "5 %"])
-def test_period_doubling_between_speeds_is_told(tmp_path, monkeypatch, immersion):
+def test_period_doubling_between_speeds_is_reported(tmp_path, monkeypatch, immersion):
     """Where a step of 75 rpm passes it over, as deep and at the speed as steps of 6 rpm find it;
-    these have it among their limits, and nothing is told."""
+    these have it among their limits, and nothing is reported."""
     monkeypatch.setattr(converged, "_change", unchecked)
     found = []
     for speeds in ("[8825 rpm, 8900 rpm]", "{from: 8825 rpm, to: 8900 rpm, count: 13}"):
@@ -1052,7 +1052,7 @@ def test_a_least_limit_that_there_is_not_is_without_bound() -> None:
 
 
 def test_least_limits_of_a_measured_spindle_and_of_a_band_are_headline_numbers() -> None:
-    """Where one was measured, and where a band is asked for."""
+    """Where one was measured, and where a band is requested."""
     depth = np.array([4e-3, 3e-3])
     measured = counted(depth, measured=np.array([np.nan, 2e-3]))
     assert measured == {"least": 3.0, "measured least": 2.0}
@@ -1194,7 +1194,7 @@ def test_that_no_depth_is_stable_is_said_of_every_speed_alone(depth, loss, first
     assert "band" not in lines
 
 
-def test_a_limit_that_only_a_finer_model_has_is_told():
+def test_a_limit_that_only_a_finer_model_has_is_reported():
     """One that is 0 or infinite with one of both models."""
     result = SimpleNamespace(
         error=math.inf,

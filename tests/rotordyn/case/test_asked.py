@@ -78,7 +78,7 @@ def test_a_sum_that_meets_a_bound_is_allowed() -> None:
     assert asked_of(case).narrowed == ()
 
 
-def test_what_leaves_the_range_is_told_in_the_unit_of_the_range() -> None:
+def test_what_leaves_the_range_is_reported_in_the_unit_of_the_range() -> None:
     case = _case(**{"bearings__*__model__contact_angle": "58 deg"})
     with pytest.raises(InvalidInput) as refused:
         tolerance(case, ANGLE, "± 3 deg")

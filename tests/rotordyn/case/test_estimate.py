@@ -103,7 +103,7 @@ FAULTS = [
 ]
 
 
-def test_what_is_missing_in_a_model_of_several_seats_is_told_once(tmp_path: Path) -> None:
+def test_what_is_missing_in_a_model_of_several_seats_is_reported_once(tmp_path: Path) -> None:
     shipped = CATALOGUE.read_text(encoding="utf-8")
     lines = [line for line in shipped.splitlines() if "bore_diameter" not in line]
     assert len(lines) == len(shipped.splitlines()) - 1
@@ -141,7 +141,7 @@ def test_schema_asks_for_an_estimate_or_for_balls() -> None:
 @pytest.mark.parametrize(
     ("old", "new"), [("contact_angle: 25", "contact_angle: 89"), ("[190 N,", "[-190 N,")]
 )
-def test_a_faulty_value_is_told_once(tmp_path: Path, old: str, new: str) -> None:
+def test_a_faulty_value_is_reported_once(tmp_path: Path, old: str, new: str) -> None:
     with pytest.raises(InvalidInput) as caught:
         rotordyn.model("bearings", written(tmp_path, BEARING.replace(old, new)))
     assert len(caught.value.faults) == 1

@@ -47,7 +47,7 @@ def model(folder: Path, **keys: Any) -> Any:
 
 @pytest.mark.parametrize("kind", GIVEN)
 def test_a_file_makes_what_python_makes(kind: str, tmp_path: Path) -> None:
-    """Materials left out are those of the class, too."""
+    """Materials omitted are those of the class, too."""
     assert model(tmp_path, kind=kind, **COMMON, **GIVEN[kind]) == BUILT[kind]
 
 

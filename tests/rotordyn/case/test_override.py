@@ -181,7 +181,7 @@ def test_a_path_means_in_a_file_what_it_means_in_python(path: str, overridden: O
 @pytest.mark.parametrize(
     ("balls", "interference"), [("2", "4 um"), ("250", "-4 um"), ("250", "3 mm")]
 )
-def test_a_faulty_ball_guide_is_told_with_its_place(
+def test_a_faulty_ball_guide_is_reported_with_its_place(
     overridden: Override, balls: str, interference: str
 ) -> None:
     sizes = "ball_diameter: 4 mm, column_diameter: 0.1 m"
@@ -193,7 +193,7 @@ def test_a_faulty_ball_guide_is_told_with_its_place(
     assert len(found.value.faults) == 1
 
 
-def test_a_faulty_estimate_is_told_once(overridden: Override) -> None:
+def test_a_faulty_estimate_is_reported_once(overridden: Override) -> None:
     model = "name: A, bore_diameter: 70 mm, outside_diameter: 110 mm, contact_angle: 25 deg"
     with pytest.raises(InvalidInput) as found:
         overridden(f"bearings.*.model: {{{model}, estimate: {{preloads: [-190 N]}}}}")

@@ -32,7 +32,7 @@ def test_the_tip_of_a_tool_follows_its_sections(length: float) -> None:
     assert (kept.spindle, kept.tool) == (other.spindle, other.tool)
 
 
-def test_a_tip_given_by_its_station_stays_and_is_told() -> None:
+def test_a_tip_given_by_its_station_stays_and_is_reported() -> None:
     case = clamped()
     there = case.spindle.points["tip"]
     fixed = rotordyn.vary(case, {"tool.points.tip": there})

@@ -188,7 +188,7 @@ def test_a_blank_title_is_the_name(tmp_path: Path, title: str) -> None:
     assert [v.title for v in case.variants.values()] == ["one more", "whole"]
 
 
-def test_faults_of_the_case_itself_are_told_once(tmp_path: Path) -> None:
+def test_faults_of_the_case_itself_are_reported_once(tmp_path: Path) -> None:
     path = tmp_path / "compared.yaml"
     text = CASE.format(compare="  one: {}\n  two: {}\n").replace("outer", "outermost")
     path.write_text(text, encoding="utf-8")

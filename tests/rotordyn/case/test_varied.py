@@ -31,7 +31,7 @@ def test_what_differs_has_its_path_and_a_usual_unit() -> None:
     assert not travel.numeric, "none is no number"
 
 
-def test_speeds_stand_in_rpm_whatever_their_size() -> None:
+def test_speeds_are_in_rpm_whatever_their_size() -> None:
     quantity = Quantity("speed")
     assert {usual_unit(quantity, [rpm * math.pi / 30.0]) for rpm in (0.1, 30.0, 8000.0, 3e5)} == {
         "rpm"

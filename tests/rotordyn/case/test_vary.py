@@ -415,7 +415,7 @@ def test_varied_cases_can_be_run() -> None:
         ("spindle.bearings.a.contact_angle", "model.contact_angle"),
     ],
 )
-def test_a_key_that_stands_further_down_is_pointed_at(path, meant):
+def test_a_key_that_is_further_down_is_pointed_at(path, meant):
     case = rotordyn.load("mfw2310")
     with pytest.raises(InvalidInput, match=re.escape(f"did you mean {meant}?")):
         case.vary({path: 1.0})

@@ -127,7 +127,7 @@ def test_a_taper_adds_to_the_phase_of_a_linear_element() -> None:
 
 
 def test_free_modes_are_kept_as_far_as_accuracy_asks() -> None:
-    """What those left out err falls with the fourth power; a step finer keeps twice as far."""
+    """The truncation error falls with the fourth power; one step finer doubles the cutoff."""
     usual = Fineness(1000.0, accuracy=USUAL)
     assert Fineness(1000.0, accuracy=USUAL / 16.0).cutoff == pytest.approx(2.0 * usual.cutoff)
     for steps in (1, 2):

@@ -1,4 +1,4 @@
-"""The element of any degree: what its freedoms are, and that it contains the standard one."""
+"""The element of any degree: what its DOF are, and that it contains the standard one."""
 
 from __future__ import annotations
 
@@ -85,7 +85,7 @@ def test_the_core_is_the_standard_element(degree: int) -> None:
 
 @pytest.mark.parametrize("degree", [2, 4])
 def test_rigid_motion_has_the_exact_inertia(degree: int) -> None:
-    """Mass and moment of inertia of a cylinder, all of it in the nodal freedoms."""
+    """Mass and moment of inertia of a cylinder, all of it in the nodal DOF."""
     length, outer = 0.05, 0.09
     whole = hierarchic_bending(*arguments(length, outer, 0.0), degree=degree)
     inner = np.zeros(inner_dofs(degree))

@@ -53,7 +53,7 @@ def test_modes_up_to_the_cutoff_are_exact(seed: int, size: int, cutoff: float) -
 
 @settings(max_examples=25)
 @given(SEEDS, st.floats(0.1, 10.0))
-def test_statics_at_the_loaded_freedoms(seed: int, spring: float) -> None:
+def test_statics_at_the_loaded_dof(seed: int, spring: float) -> None:
     """Held by springs where loads may act, the reduced system is as flexible as the whole."""
     mass, stiffness = free_chain(seed, 30)
     places = [2, 14, 27]
@@ -67,7 +67,7 @@ def test_statics_at_the_loaded_freedoms(seed: int, spring: float) -> None:
 
 
 def test_loads_already_spanned_add_nothing() -> None:
-    """As many loads as freedoms: the basis is the whole space and no more."""
+    """As many loads as DOF: the basis is the whole space and no more."""
     mass, stiffness = free_chain(1, 12)
     found = reduce(mass, stiffness, np.ones((12, 1)), np.eye(12), 10.0)
     basis, values = found.vectors, found.values

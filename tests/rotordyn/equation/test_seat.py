@@ -1,4 +1,4 @@
-"""Bearings at their seats: coupling that is rounding is left out, in the measure of both ways."""
+"""Bearings at their seats: coupling that is rounding is omitted, in the measure of both ways."""
 
 from __future__ import annotations
 

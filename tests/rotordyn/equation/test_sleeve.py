@@ -43,7 +43,7 @@ def test_a_sleeve_without_mass_swings_far_above_the_band(stiffness: float) -> No
     assert swings == pytest.approx(WEIGHTLESS * 2.0 * math.pi * 1000.0)
 
 
-def test_the_error_by_a_fictitious_mass_is_asked_for_as_all_else() -> None:
+def test_the_error_by_a_fictitious_mass_is_requested_as_all_else() -> None:
     """It falls as the square of the frequency: a hundred times as accurate is ten times as high;
     a step finer doubles it."""
     exact = Fineness(1000.0, accuracy=USUAL / 100.0)

@@ -166,7 +166,7 @@ def speeds(count: int = 49) -> Any:
 
 
 def preload(count: int = 49) -> PreloadResult:
-    """Loads grow with speed², twins alike; the front sleeve stops at 18 000 rpm."""
+    """Loads grow with speed², equal in a tandem pair; the front sleeve stops at 18 000 rpm."""
     speed = speeds(count)
     s = (speed / TOP)[:, None] ** 2
     rest = np.array([551.0, 551.0, 574.0, 264.0, 264.0])

@@ -86,7 +86,7 @@ def test_files_are_valid(folder, name):
 
 
 @pytest.mark.parametrize("name", sorted(NAMES))
-def test_machine_and_case_stand_at_the_top_and_touch_nothing(drawn, case, name):
+def test_machine_and_case_are_at_the_top_and_touch_nothing(drawn, case, name):
     figure = drawn[name]
     renderer = figure.canvas.get_renderer()
     words = [t for t in figure.texts if t.get_va() == "top" and t.get_color() == HEAD_COLOUR]
@@ -102,7 +102,7 @@ def test_machine_and_case_stand_at_the_top_and_touch_nothing(drawn, case, name):
 
 
 @pytest.mark.parametrize("name", sorted(n for n in NAMES if not n.startswith("frf")))
-def test_no_line_is_told_by_its_colour_alone(drawn, name):
+def test_no_line_is_distinguished_by_its_colour_alone(drawn, name):
     for axes in drawn[name].axes:
         looks = {}
         for line in axes.get_lines():

@@ -57,7 +57,7 @@ def _labels(axes):
     return axes.get_legend_handles_labels()[1]
 
 
-def test_whirl_is_told_by_look():
+def test_whirl_is_distinguished_by_look():
     curves = whirl_segments(samples.campbell(9))
     assert {look: len(lines) for look, lines in curves.items()} == {
         "backward": 4, "forward": 4, "axial": 1, "torsion": 1,
@@ -151,10 +151,10 @@ def test_campbell_shows_where_a_mode_is_unstable():
     assert "unstable" not in _labels(campbell_figure(result).axes[0])
 
 
-def test_campbell_leaves_out_what_hardly_swings():
+def test_campbell_omits_overdamped_modes():
     result = samples.campbell(9)
     ratio = result.damping_ratio.copy()
-    ratio[:, 0], ratio[4, 2] = 0.9999, 0.9999  # the second does swing, but at one speed
+    ratio[:, 0], ratio[4, 2] = 0.9999, 0.9999  # the second does oscillate, but at one speed
     overdamped = replace(result, damping_ratio=ratio)
     lines = [len(whirl_segments(r).get("backward", [])) for r in (result, overdamped)]
     assert lines[1] == lines[0] - 1
@@ -166,8 +166,8 @@ def test_campbell_leaves_out_what_hardly_swings():
     assert gone.startswith(result.mode[0])
 
 
-def test_figure_and_summary_tell_one_error_of_what_swings():
-    """The largest of an overdamped motion is told by neither, that of a strongly damped one is."""
+def test_figure_and_summary_tell_one_error_of_oscillating_modes():
+    """Neither names the error of an overdamped motion; both name that of a strongly damped one."""
     result = samples.campbell(9)
     ratio, error = result.damping_ratio.copy(), result.frequency_error.copy()
     ratio[:5, 0], ratio[:4, 1], ratio[:, 2] = 0.9999, 0.9999, 0.9
@@ -268,7 +268,7 @@ def test_discs_are_part_of_the_outline_of_shapes():
     assert "disc" in _names(figure)
 
 
-def test_modes_left_out_are_counted():
+def test_modes_omitted_are_counted():
     """Of whirling pairs the backward ones go first, but only where names tell of pairs."""
     result = samples.campbell(3)
     figure = shapes_figure(result)
@@ -470,7 +470,7 @@ def test_race_control_without_boundary_or_state():
     assert {"a", "b: none"} <= set(_labels(axes))
 
 
-def test_references_stand_beside_the_stiffness():
+def test_references_are_beside_the_stiffness():
     axes = stiffness_figure(samples.stiffness(9), samples.references(), "Oc2").axes[0]
     assert axes.get_ylabel() == "radial stiffness at Oc2 [N/µm]"
     assert _labels(axes)[0] == "nonlinear, full"

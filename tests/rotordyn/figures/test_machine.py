@@ -97,7 +97,7 @@ def test_labels_do_not_overlap_each_other():
     assert all(inside.x0 <= b.x0 and b.x1 <= inside.x1 for _, b in boxes)
 
 
-def test_captions_of_sleeves_side_by_side_stand_apart():
+def test_captions_of_sleeves_side_by_side_are_apart():
     """By 3 mm at least, as wide as they are."""
     plain = samples.spindle()
     springs = (("wash", "d", 1500.0, math.inf), ("cup", "e", 350.0, 1e6))

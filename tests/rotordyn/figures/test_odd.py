@@ -153,7 +153,7 @@ def test_long_titles_cover_nothing(count: int) -> None:
     assert len(legend.get_texts()) >= count + len(result["stiffness"].variant)
 
 
-def test_many_variants_are_told_apart() -> None:
+def test_many_variants_are_distinguished() -> None:
     looks = [(colour(k), dash(k)) for k in range(14)]
     assert len({colour for colour, _ in looks}) == len(looks)
     assert all(a != b for a, b in itertools.pairwise(dash for _, dash in looks))
@@ -178,7 +178,7 @@ def test_the_frame_is_on_the_axes_and_known_frequencies_stay_in_theirs() -> None
         figure = jobs[name]()
         labels = [axes.yaxis.label for axes in figure.axes if "damped" in axes.get_ylabel()]
         assert [label.get_text() for label in labels] == [
-            "damped frequency [Hz]", "damped frequency in the turning frame [Hz]",
+            "damped frequency [Hz]", "damped frequency in the rotating frame [Hz]",
         ]  # fmt: skip
         figure.canvas.draw()
         for label in labels:
@@ -191,7 +191,7 @@ def test_the_frame_is_on_the_axes_and_known_frequencies_stay_in_theirs() -> None
     assert [len(a.get_lines()) for a in axes] == [1, 0]
 
 
-def test_maps_of_many_pairs_stand_six_on_a_page() -> None:
+def test_maps_of_many_pairs_are_six_on_a_page() -> None:
     many = replace(samples.frf(3, 10), pair=tuple(f"{k}.y / 0.y" for k in range(14)))
     found = dict(figures(samples.case(), {"frf": many}))
     assert [n for n in found if "maps" in n] == ["frf_maps", "frf_maps_2", "frf_maps_3"]
@@ -242,7 +242,7 @@ def test_a_hundred_variants_are_coloured_by_what_was_varied():
     assert np.isclose(last, base.frequency.T * 99.0 / 200.0).all(axis=1).any()
 
 
-def test_variants_are_told_apart_by_marks_and_none_hides_another():
+def test_variants_are_distinguished_by_marks_and_none_hides_another():
     own = samples.case()
     variants = [(replace(own, title=name), {"campbell": samples.campbell(9)}) for name in "abc"]
     axes = dict(comparison_figures(variants))["campbell_overlay"]().axes[0]
@@ -369,7 +369,7 @@ def test_differences_are_drawn_only_where_variants_differ():
 
 
 def test_a_panel_without_differences_is_as_high_as_its_row():
-    """A logarithmic panel has none; it stands beside a linear one, not above it."""
+    """A logarithmic panel has none; it is next to a linear one, not above it."""
     shown = [Shown(name, None, (), None) for name in ("a", "bb")]
     x = np.linspace(0.0, 9000.0, 9)
 

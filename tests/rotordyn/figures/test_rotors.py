@@ -65,7 +65,7 @@ def test_every_rotor_has_its_lines(modes: CampbellResult) -> None:
     assert orders(alone, [3]) == {0.43: "0.43×", 1.0: "1×", 3.0: "3× (teeth)"}
 
 
-def test_names_of_steep_lines_do_not_overlap_and_stand_beside_their_lines(
+def test_names_of_steep_lines_do_not_overlap_and_are_beside_their_lines(
     modes: CampbellResult,
 ) -> None:
     asked = replace(modes, engine_order=np.array([2.37, 2.5, 3.0, 40.0]))

@@ -83,7 +83,7 @@ def test_equally_alike_goes_to_the_nearer_value() -> None:
     assert path[1, 0] == 1
 
 
-def test_modes_of_one_shape_are_told_apart_by_their_damping() -> None:
+def test_modes_of_one_shape_are_distinguished_by_their_damping() -> None:
     """Their frequencies change places from one step to the next."""
     both = np.ones((1, 2), dtype=complex)
     poles = [np.array([-0.6 + 0.99j, -0.01 + 1.0j]), np.array([-0.01 + 0.99j, -0.6 + 1.0j])]
@@ -167,7 +167,7 @@ def test_a_basis_of_repeated_values_is_any_basis() -> None:
 @pytest.mark.parametrize(
     ("ends", "meet"), [([4.0, 1.0], 4.0), ([1.1, 1.05], 6.5), ([301.0, 1.0], 3.5)]
 )
-def test_the_step_asked_for_is_where_two_straight_lines_meet(
+def test_the_step_requested_is_where_two_straight_lines_meet(
     ends: list[float], meet: float
 ) -> None:
     """From 1 and 2 at 3 to the ``ends`` at 7; never nearer to a step than 0.5."""

@@ -76,7 +76,7 @@ def test_what_is_damped_heavily_or_not_held_is_left_to_the_general_form() -> Non
 
 
 @pytest.mark.parametrize("weak", [0.0, 1e-22, 1e-18])
-def test_a_coordinate_that_next_to_nothing_holds_is_left_to_the_general_form(weak: float) -> None:
+def test_a_coordinate_that_almost_nothing_holds_is_left_to_the_general_form(weak: float) -> None:
     """Within a chain as well, whose other systems are held: its poles have no digits here."""
     stiffness, damping = system(2, 5, 5e-3, count=3)
     stiffness[:, 4], stiffness[:, :, 4] = 0.0, 0.0
@@ -129,7 +129,7 @@ def test_threads_do_not_change_a_digit(monkeypatch: pytest.MonkeyPatch) -> None:
         assert np.array_equal(one, other)
 
 
-def test_each_chain_begins_anew() -> None:
+def test_each_chain_begins_again() -> None:
     """A system that cannot be refined in between changes nothing of those of other chains."""
     stiffness, damping = system(4, 6, 5e-3, count=2 * lightly_damped.CHAIN)
     other = damping.copy()

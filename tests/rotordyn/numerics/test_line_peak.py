@@ -56,7 +56,7 @@ def test_a_broad_peak_beside_another_stays_between_its_lines():
 @pytest.mark.parametrize("ratio", [0.001, 0.003, 0.01, 0.03])
 @pytest.mark.parametrize("step", [0.5, 1.0, 4.0, 8.0])
 def test_noise_leaves_heights_no_worse_than_the_highest_lines(ratio, step):
-    """5 % of every line; standard errors are told."""
+    """5 % of every line; standard errors are reported."""
     rng, known = np.random.default_rng(3), np.abs(response(np.linspace(480, 520, 40_001), ratio))
     missed, before, told = [], [], []
     for begin in rng.uniform(200.0, 200.0 + step, 60):

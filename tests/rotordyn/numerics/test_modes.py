@@ -156,9 +156,9 @@ def test_a_hinged_body_has_one_free_motion() -> None:
 
 
 @pytest.mark.parametrize("damping", [0.0, 0.4, 30.0])
-def test_one_of_each_pair_stands_for_both(damping: float) -> None:
+def test_one_of_each_pair_represents_both(damping: float) -> None:
     """Sums over all poles of what conjugates share, also where some systems of a batch hardly
-    swing and rows are filled up; of complex matrices every pole stands for itself."""
+    oscillate and rows are filled up; of complex matrices every pole represents itself."""
     draw = np.random.default_rng(8)
     root = draw.standard_normal((6, 5, 5))
     damper = np.linspace(0.0, damping, 6)[:, None, None] * np.diag(np.arange(5.0))

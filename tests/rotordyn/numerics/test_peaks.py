@@ -38,7 +38,7 @@ def test_samples_about_a_peak_grow_apart_from_the_width_of_the_peak(
     centre: float, width: float
 ) -> None:
     """Geometrically, on either side alike, from a quarter of the width, or of the narrowest one
-    that is told apart from none, out to both ends."""
+    that is distinguished from none, out to both ends."""
     low, high = 0.5 * centre, 1.8 * centre
     found = spread(centre, width, low, high)
     apart = np.sort(np.abs(found - centre))
@@ -83,7 +83,7 @@ def test_straight_lines_of_uneven_samples_and_rounding_are_not_sampled_closer() 
 
 
 @pytest.mark.parametrize("start", [[0.5, 0.985, 1.6], [0.5, 0.8, 1.0, 1.2, 1.6]])
-def test_the_highest_sample_of_a_flat_peak_stands_at_the_peak(start: list[float]) -> None:
+def test_the_highest_sample_of_a_flat_peak_is_at_the_peak(start: list[float]) -> None:
     """A damping ratio of 0.1 moves the peak of x²/|1 − x² + 2iζx| to 1/√(1 − 2ζ²); a sample 1 %
     beside it is hardly lower."""
 

@@ -191,9 +191,9 @@ def test_counting_begins_at_peaks_the_most_prominent_first() -> None:
 
 @pytest.mark.parametrize("stated", [1.0, 0.1, 10.0])
 @pytest.mark.parametrize("seed", range(3))
-def test_a_line_that_stands_alone_is_no_pole(seed: int, stated: float) -> None:
+def test_a_line_that_is_alone_is_no_pole(seed: int, stated: float) -> None:
     """Of one response, twice its size off; a peak narrower than the distance of lines, which
-    stands on many of them, is a pole. The noise may be stated wrongly."""
+    extends over many of them, is a pole. The noise may be stated wrongly."""
     samples, deviation = measured(seed)
     rng = np.random.default_rng(100 + seed)
     wrong = np.array([12, 77, 140, 205, 290])

@@ -10,7 +10,7 @@ from rotordyn.numerics.vector_fit import columns, real_unknowns
 
 
 @pytest.mark.parametrize("pole", [[-3.0 + 40j, -6.0 + 55j], [-9.0 + 0j, -3.0 + 40j]])
-def test_curves_move_with_their_poles_as_told(pole: list[complex]) -> None:
+def test_curves_move_with_their_poles_as_reported(pole: list[complex]) -> None:
     """Central differences over the real and the imaginary part of each pole, over its size."""
     omega, poles = np.linspace(20.0, 80.0, 31), np.array(pole)
     wanted = real_unknowns(poles)

@@ -52,7 +52,7 @@ def test_a_response_without_poles_gives_one_at_the_end_of_the_band() -> None:
 
 
 def test_noise_is_no_rational_function() -> None:
-    """How near it comes is told."""
+    """How near it comes is reported."""
     chance = np.random.default_rng(2)
     noise = chance.standard_normal(len(OMEGA)) + 1j * chance.standard_normal(len(OMEGA))
     assert rational_poles(OMEGA, 1.0 + 1e-3 * noise, 1e-11).near > 1e-5

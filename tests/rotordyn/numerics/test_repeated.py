@@ -61,7 +61,7 @@ def test_vectors_of_poles_that_never_part_stay() -> None:
 
 
 def test_vectors_stay_where_the_nearest_step_has_nothing_like_them() -> None:
-    """One of both is there, the other stands across all that they span."""
+    """One of both is there, the other is orthogonal to all that they span."""
     base = np.eye(4, dtype=complex)
     poles = np.array([[1j, 1j], [1j, 2j]])
     vectors = np.stack([base[:, :2], base[:, [0, 2]]])
@@ -69,7 +69,7 @@ def test_vectors_stay_where_the_nearest_step_has_nothing_like_them() -> None:
 
 
 def test_values_are_one_by_those_between_them() -> None:
-    """A chain of steps of 0.8e-6; one that stands alone; one that is none."""
+    """A chain of steps of 0.8e-6; a single one; one that is none."""
     values = np.array([1.0, 3.0, 1.0 + 1.6e-6, np.nan, 1.0 + 0.8e-6, 3.0 + 6e-6])
     assert [group.tolist() for group in groups(values)] == [[0, 2, 4]]
 

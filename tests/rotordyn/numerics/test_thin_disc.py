@@ -9,7 +9,7 @@ from rotordyn.numerics.synchronous import synchronous
 
 
 @pytest.mark.parametrize("slope", [None, np.diag([0.0, 0.0, 1e-3])])
-def test_motions_without_inertia_are_left_out(slope: np.ndarray | None) -> None:
+def test_motions_without_inertia_are_omitted(slope: np.ndarray | None) -> None:
     stiffness, polar = np.diag([4.0, 9.0, 16.0]), np.diag([0.0, 2.0, 0.0])
     spin, vectors = synchronous(stiffness, -1j * polar, 2.0, slope)
     assert spin == pytest.approx([1.0, 2.0], rel=1e-3)

@@ -39,7 +39,7 @@ def test_exact_samples_give_their_poles(unit: float, off: float) -> None:
     assert found(unit * between) == pytest.approx(samples(between) / unit, rel=1e-8)
 
 
-def test_a_real_pole_stands_for_itself() -> None:
+def test_a_real_pole_represents_itself() -> None:
     """R/(s − p) once, not with a conjugate."""
     s = 1j * OMEGA[:, None]
     values = samples()[:, :1] + 50.0 / (s + 60.0)

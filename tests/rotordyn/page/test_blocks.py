@@ -32,7 +32,7 @@ def test_tables_of_the_same_things_become_one() -> None:
     assert table.note == "At rest. At speed."
 
 
-def test_a_block_may_stand_in_a_section_of_others() -> None:
+def test_a_block_may_be_in_a_section_of_others() -> None:
     shared = Table("T", ("", "x"), [("a", "1")], section="Bearings")
     found = sections([("Machine", Text(["m"])), ("Life", shared), ("Life", Text(["l"]))])
     assert [each.title for each in found] == ["Machine", "Bearings", "Life"]
@@ -132,7 +132,7 @@ def test_shapes_are_packed_whole() -> None:
     assert (found[..., 0] + 1j * found[..., 1] == motion).all()
 
 
-def test_a_name_stands_in_the_legend_once_and_hides_all_that_bear_it() -> None:
+def test_a_name_is_in_the_legend_once_and_hides_all_that_bear_it() -> None:
     named = once_named([{"name": "published"}, {"name": "a"}, {"name": "published"}])
     assert [each["showlegend"] for each in named] == [True, True, False]
     assert [each.get("legendgroup") for each in named] == ["published", None, "published"]

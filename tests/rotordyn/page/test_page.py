@@ -109,7 +109,7 @@ def test_the_campbell_diagram_and_its_criticals_are_those_of_the_result(flagship
         assert found[np.isfinite(drawn[1])] == pytest.approx(wanted, rel=1e-6)
 
 
-def test_bearings_stand_in_one_table(evil_folder: Path) -> None:
+def test_bearings_are_in_one_table(evil_folder: Path) -> None:
     text = (evil_folder / "report.html").read_text(encoding="utf-8")
     section = text.split(">Bearings</h2>")[1].split("</section>")[0]
     assert section.count("<table>") == 1
@@ -223,7 +223,7 @@ def test_inputs_are_called_as_in_files(tmp_path: Path) -> None:
     )
 
 
-def test_known_values_stand_beside_computed_ones(flagship: Path) -> None:
+def test_known_values_are_beside_computed_ones(flagship: Path) -> None:
     read = words(flagship.read_text(encoding="utf-8"))
     case = rotordyn.open(flagship.parent).case
     assert case.known[0].remark in read
@@ -370,7 +370,7 @@ def test_an_optimum_has_a_page(tmp_path: Path, capsys: pytest.CaptureFixture[str
     assert "an optimum that is not complete" in capsys.readouterr().err
 
 
-def test_intervals_stand_on_the_page(tmp_path: Path) -> None:
+def test_intervals_are_on_the_page(tmp_path: Path) -> None:
     """Bars of the tornado are the effects, bands the ranges of the curves."""
     pytest.importorskip("plotly", reason="the extra report is not installed")
     spring = "spindle.sleeves.rear.spring.preload"

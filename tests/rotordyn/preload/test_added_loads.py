@@ -1,4 +1,4 @@
-"""What missing shortening of the shaft would do to axial loads, against machines solved anew."""
+"""What missing shortening of the shaft would do to axial loads, against machines solved again."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def loads(spindle: Spindle) -> np.ndarray:
 @pytest.mark.parametrize(
     "springs", ["at a stop", "open", "locked", "held by friction", "on a support"]
 )
-def test_the_first_order_is_that_of_machines_solved_anew(springs: str) -> None:
+def test_the_first_order_is_that_of_machines_solved_again(springs: str) -> None:
     spindle = machine(springs)
     scene = Scene(spindle, conditions(), np.array([SPEED]) * RPM)
     found = shortening_load(scene.preload, 0)
@@ -67,7 +67,7 @@ def test_the_first_order_is_that_of_machines_solved_anew(springs: str) -> None:
     assert np.abs(found).max() > 1.0
 
 
-def test_it_is_told_where_loads_change_by_a_tenth() -> None:
+def test_it_is_reported_where_loads_change_by_a_tenth() -> None:
     def told(spindle: Spindle, rpm: float) -> str:
         scene = Scene(spindle, conditions(), np.array([0.0, rpm]) * RPM)
         assert all(scene.preload.usable)
@@ -84,7 +84,7 @@ def test_it_is_told_where_loads_change_by_a_tenth() -> None:
     assert not told(shortened(locked, 1.0), 24000.0)
 
 
-def test_it_is_not_told_of_forces_that_no_bearing_feels() -> None:
+def test_it_is_not_reported_of_forces_that_no_bearing_feels() -> None:
     """Under the weight alone, with play, loads along the axis are next to none."""
     seats = (
         BearingSeat("front", model("bearings", "qj218"), 0.05),
@@ -137,7 +137,7 @@ def test_a_drawbar_shortens_the_shaft_by_the_law_of_hooke() -> None:
 
 
 @pytest.mark.parametrize("springs", ["locked", "at a stop"])
-def test_loads_by_forces_are_those_of_machines_solved_anew(springs: str) -> None:
+def test_loads_by_forces_are_those_of_machines_solved_again(springs: str) -> None:
     spindle = machine(springs)
     scene = Scene(spindle, conditions(), np.array([SPEED]) * RPM)
     found = shift_load(scene.preload, 0, lambda x: stretch(spindle, -PULL, x))

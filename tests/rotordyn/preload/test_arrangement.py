@@ -1,4 +1,4 @@
-"""Who is joined to whom: twins, springs, what is asked of the bearings."""
+"""Connections of bearings: tandem pairs, springs, states computed of the bearings."""
 
 from __future__ import annotations
 
@@ -21,17 +21,17 @@ from tests.oracles.spindles import TOP, mfw2310, with_springs
 
 SPEED = np.array([0.0, 0.5, 1.0]) * TOP
 LAW = Law("outer", "equal")
-LIKE = np.array([0.2, 0.2, 0.3, 0.4, 0.4])  # of tandem twins alike
+LIKE = np.array([0.2, 0.2, 0.3, 0.4, 0.4])  # equal in a tandem pair
 
 
-def test_tandem_twins_are_one_bearing() -> None:
+def test_a_tandem_pair_is_one_bearing() -> None:
     bearings = arrangement(mfw2310(), SPEED).bearings
     assert [b.seats for b in bearings] == [(0, 1), (2,), (3, 4)]
     assert [b.thrust for b in bearings] == [1, -1, -1]
     assert [b.outer for b in bearings] == [HOUSING, 1, 2]
 
 
-def test_twins_with_different_growth_are_not_alike() -> None:
+def test_tandem_pairs_with_different_growth_are_not_alike() -> None:
     seats = list(mfw2310().seats)
     seats[1] = replace(seats[1], growth=RingGrowth(43.2e-6, QuadraticInSpeed(9e-6, TOP)))
     bearings = arrangement(mfw2310(seats=tuple(seats)), SPEED).bearings

@@ -30,7 +30,7 @@ def around(x: float) -> np.ndarray:
 @pytest.mark.parametrize("gravity", ["none", "+x", "-x"])
 @pytest.mark.parametrize("pushed", [0.0, 300.0, -250.0])
 def test_flagship_at_every_speed(gravity: str, pushed: float) -> None:
-    """Steps of the bearings are their loads; the push stands at the tip; the tail is free."""
+    """Steps of the bearings are their loads; the push acts at the tip; the tail is free."""
     found = scene(mfw2310(), SPEEDS, gravity=gravity, axial_force=pushed)
     along, load, shaft = found.shaft_force, found.preload.seat_load(), found.spindle.shaft
     largest = np.abs(load).max()
@@ -110,7 +110,7 @@ def test_state_that_is_not_known_stays_unknown() -> None:
 
 @pytest.mark.parametrize("turned", [1.0, -1.0])
 def test_rigid_supports_hold_the_length_between_them(turned: float) -> None:
-    """A rod that stands between two of them hangs by half from the upper one and stands by half on
+    """A rod between two of them hangs by half from the upper one and rests by half on
     the lower one; a force between them is carried in inverse ratio of the ways, n L = n₁ L₁."""
     ends = tuple(LinearSupport(n, x, {}, rigid=("x",)) for n, x in (("a", 0.0), ("b", 1.0)))
     rod = uniform(1.0, 0.05, supports=ends)

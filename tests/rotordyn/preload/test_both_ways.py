@@ -65,7 +65,7 @@ def test_the_fixed_bearing_takes_what_the_spring_and_the_force_leave(
 
 
 @pytest.mark.parametrize("kind", FIXED)
-def test_at_rest_every_bearing_is_where_it_stands_alone_under_its_load(kind: str) -> None:
+def test_at_rest_every_bearing_is_where_it_is_alone_under_its_load(kind: str) -> None:
     bearing = FIXED[kind]
     found = state(sprung_set(1, bearing), 0.0)
     alone = bearing.equilibrium(load=[-PRELOAD, 0.0, 0.0, 0.0, 0.0])

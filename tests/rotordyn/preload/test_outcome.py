@@ -1,4 +1,4 @@
-"""Which speeds have a usable state: told of all at once as one by one."""
+"""Speeds with a usable state: the same for all together as one by one."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def on_thrust_bearing(thrust: int) -> Spindle:
 
 @pytest.mark.parametrize("thrust", [1, -1])
 def test_a_bearing_that_too_small_a_thrust_does_not_keep_says_its_own_remedy(thrust: int) -> None:
-    """As the bearing by itself: more load, not less."""
+    """As the bearing alone: more load, not less."""
     law, machine = Law("outer", "equal"), on_thrust_bearing(thrust)
     speed = np.array([0.0, 1500.0, 1700.0, 3000.0]) * RPM
     own = THRUST.equilibrium(

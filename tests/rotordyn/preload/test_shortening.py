@@ -77,10 +77,10 @@ def held_along(x: float, reference: float, friction: float = 0.0) -> Spindle:
 
 
 @pytest.mark.parametrize("warm", [None, Temperatures(shaft=45.0, housing=30.0)])
-def test_a_support_along_the_axis_holds_the_shaft_where_it_stands(
+def test_a_support_along_the_axis_holds_the_shaft_where_it_is(
     warm: Temperatures | None,
 ) -> None:
-    """Which station is said not to shift changes nothing; where the support stands does."""
+    """Which station is said not to shift changes nothing; the position of the support does."""
     speed, law = np.array([0.0, TOP]), conditions().law
     front, rear = mfw2310().shaft.start, mfw2310().shaft.end
     one, same, other = (
@@ -100,7 +100,7 @@ def test_a_support_along_the_axis_holds_the_shaft_where_it_stands(
 
 
 def test_history_and_play_hold_it_there_too() -> None:
-    """Friction that is next to nothing leaves the state without any."""
+    """Friction that is almost nothing leaves the state without any."""
     speed, law = np.array([0.0, 0.5, 1.0]) * TOP, conditions().law
     machine, bare = (held_along(mfw2310().shaft.end, 0.0, limit) for limit in (1e-3, 0.0))
     plain = dynamic_preload(bare, speed, law)

@@ -335,7 +335,7 @@ def test_other_travels_are_those_of_a_spindle_that_has_them(travel: float) -> No
 
 
 def test_forces_on_bodies_are_those_of_springs_bearings_and_friction() -> None:
-    """Towards +x; a spring takes its stiffness of a shift, friction is added as it stands."""
+    """Towards +x; a spring takes its stiffness of a shift, friction is added unchanged."""
     found = state(mfw2310(), [0, 12000])
     there, response = found.net.position, found.net.response
     rubbed = np.array([[0.0, 10.0, -3.0], [0.0, -20.0, 5.0]])

@@ -1,4 +1,4 @@
-"""The speed at which a stop is met, from the gap at speeds that are asked for."""
+"""The speed at which a stop is met, from the gap at speeds that are requested."""
 
 from __future__ import annotations
 

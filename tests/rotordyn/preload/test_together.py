@@ -74,7 +74,7 @@ def test_one_without_a_state_at_rest_leaves_the_others_theirs() -> None:
 
 
 def test_machines_that_are_built_otherwise_are_groups_of_their_own() -> None:
-    """In the order asked for: rigid preload, no sleeves, another bearing, other speeds."""
+    """In the order requested: rigid preload, no sleeves, another bearing, other speeds."""
     fewer = replace(mfw2310().seats[0].bearing, balls=15)
     seats = tuple(replace(seat, bearing=fewer) for seat in mfw2310().seats[:2])
     others = [

@@ -16,7 +16,7 @@ from rotordyn.report.netcdf import write_results
 from rotordyn.report.variables import variables
 from rotordyn.results.declaration import declared
 
-# What UDUNITS knows of the symbols that results have; a number of its own for each, so that two
+# Definitions of UDUNITS for the symbols of results; a number of its own for each, so that two
 # spellings of a unit that give the same number are the same unit.
 SYMBOLS = {"rad": 2.0, "s": 3.0, "N": 5.0, "m": 7.0, "Hz": 11.0, "Pa": 13.0, "kg": 17.0}
 SYMBOLS |= {"degC": 41.0, "mm": 19.0, "min": 23.0, "rpm": 29.0, "W": 31.0, "J": 37.0}
@@ -105,7 +105,7 @@ def test_readers_without_rotordyn_see_what_it_writes(path: Path, results) -> Non
     np.testing.assert_array_equal(joined, frf.receptance)
 
 
-def test_units_of_pairs_stand_in_their_order(results) -> None:
+def test_units_of_pairs_are_in_their_order(results) -> None:
     frf = results["frf"]
     (attrs,) = (v.attrs for v in variables(frf) if v.name == "receptance")
     units = {cf.units(frf.unit(k))["units"] for k in range(len(frf.pair))}

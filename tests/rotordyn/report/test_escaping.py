@@ -160,5 +160,5 @@ def test_names_are_refused(point: str, tmp_path: Path, capsys: pytest.CaptureFix
     assert "not a name: given" in capsys.readouterr().err
 
 
-def test_library_text_is_read_as_it_stands(case: Path) -> None:
+def test_library_text_is_read_unchanged(case: Path) -> None:
     assert model("spindles", case.parent / "spindle.yaml").title == HOSTILE

@@ -111,7 +111,7 @@ def test_read_only_file_system_is_a_sentence(tmp_path, monkeypatch):
 
 
 def test_a_record_that_may_not_be_read_is_called_so(tmp_path, monkeypatch):
-    """It is not another's folder; what stands in it stays."""
+    """It is not another's folder; its contents stay."""
     _write(tmp_path / "out", "old")
 
     def refuse(path, *_, **__):

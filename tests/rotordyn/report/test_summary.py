@@ -110,7 +110,7 @@ def test_the_reference_of_keys_names_default_materials():
     assert default(field) == "`silicon_nitride`"
 
 
-def test_where_a_line_leaves_the_band_is_told(case, results):
+def test_where_a_line_leaves_the_band_is_reported(case, results):
     modes = results["campbell"]
     assert "leaves the band" not in summary(case, results)
     top = modes.speed[-1] * 30.0 / np.pi
@@ -122,7 +122,7 @@ def test_where_a_line_leaves_the_band_is_told(case, results):
     assert "none in the band asked for; 1× leaves the band" in told
 
 
-def test_critical_speeds_are_told_of_the_orders_asked_for_alone(case, results):
+def test_critical_speeds_are_reported_of_the_orders_requested_alone(case, results):
     """Whether there are some or none; of what was not sought nothing is said."""
     modes = results["campbell"]
     half = replace(modes, engine_order=np.array([0.43, 2.5]), critical_order=np.array([0.43]))
@@ -134,7 +134,7 @@ def test_critical_speeds_are_told_of_the_orders_asked_for_alone(case, results):
     assert "critical " not in nothing
 
 
-def test_what_one_screen_does_not_hold_is_counted_and_stands_in_the_summary(case, results):
+def test_what_one_screen_does_not_hold_is_counted_and_is_in_the_summary(case, results):
     modes = results["campbell"]
     many = replace(modes, engine_order=np.linspace(0.1, 5.0, 70))
     text = summary(case, results | {"campbell": many})
@@ -146,7 +146,7 @@ def test_what_one_screen_does_not_hold_is_counted_and_stands_in_the_summary(case
     assert shown[-1] == f"… and {len(lines) - HEIGHT + 1} more lines in out/summary.txt"
 
 
-def test_slow_modes_are_told_with_their_digits(case, results):
+def test_slow_modes_are_reported_with_their_digits(case, results):
     modes = results["campbell"]
     slow = replace(modes, frequency=modes.frequency * 1e-5, critical_speed=np.array([0.05]))
     said = " ".join(summary(case, {"campbell": slow}).split())
@@ -157,14 +157,14 @@ def test_slow_modes_are_told_with_their_digits(case, results):
 
 
 def test_numbers_have_three_digits_at_least():
-    """Springs of small spindles are told apart."""
+    """Springs of small spindles are distinguished."""
     assert [number(each) for each in (2.416, 2.459, 2.529)] == ["2.42", "2.46", "2.53"]
     assert [number(1.1), number(0.5), number(12.0, 0)] == ["1.10", "0.5", "12.0"]
     assert [number(each) for each in (12.34, 903.04, 0.0)] == ["12.3", "903.0", "0.0"]
     assert [number(each, 0) for each in (95.28, 952.8)] == ["95.3", "953"]
 
 
-def test_a_grade_for_another_speed_than_the_highest_is_told(case, results):
+def test_a_grade_for_another_speed_than_the_highest_is_reported(case, results):
     result = results["unbalance"]
     top = float(result.speed[-1])
     for speed, words in (
@@ -178,7 +178,7 @@ def test_a_grade_for_another_speed_than_the_highest_is_told(case, results):
         assert f"g·mm at -52.4 mm to 28.65°{words} largest half axis" in text
 
 
-def test_notes_stand_below_the_title(case, results):
+def test_notes_are_below_the_title(case, results):
     lines = summary(case, results, ["first"], ["a choice " * 20]).splitlines()
     assert lines[0] == "WARNING: first"
     assert lines[2].startswith("note       a choice")
@@ -299,7 +299,7 @@ def test_twist_beyond_its_limit_is_named(results):
     assert sentence in result_warnings({"section_forces": far})
 
 
-def test_section_forces_of_variants_stand_side_by_side(case, results):
+def test_section_forces_of_variants_are_side_by_side(case, results):
     own = {"section_forces": results["section_forces"]}
     lines = comparison_summary(case, [(case, own)]).splitlines()
     (row,) = (line for line in lines if line.startswith(case.title) and "-500" in line)

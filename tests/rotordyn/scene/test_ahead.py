@@ -57,7 +57,7 @@ def test_each_machine_takes_its_own_state(counted: list[int]) -> None:
     assert len({state.seat_load()[2, 2] for state in found}) == 3
 
 
-def test_another_machine_is_solved_by_itself(counted: list[int]) -> None:
+def test_another_machine_is_solved_alone(counted: list[int]) -> None:
     memo = Memo()
     solve_ahead(scenes(memo, 30e-6, 45e-6), memo)
     (other,) = scenes(memo, 31e-6)

@@ -45,7 +45,7 @@ def whirling(unbalance: float) -> UnbalanceResult:
     return orbits(scene, UnbalanceSpec(("nose_face",), (Unbalance("nose_face", unbalance),)))
 
 
-def test_the_departure_is_that_of_each_bearing_by_itself() -> None:
+def test_the_departure_is_that_of_each_bearing_alone() -> None:
     machine, given = mfw2310(), conditions()
     scene, found = Scene(machine, given, np.array([SPEED])), under(3000.0, -1000.0)
     still = statics(scene, SectionForcesSpec(loads=(PointLoad("nose_face", Fy=1e-3),)))
@@ -79,7 +79,7 @@ def test_it_falls_with_the_load() -> None:
     assert turned[1] / turned[0] == pytest.approx(2.0, rel=0.05)
 
 
-def test_loads_beyond_the_tangents_are_told() -> None:
+def test_loads_beyond_the_tangents_are_reported() -> None:
     assert not static_warnings(under(100.0))
     assert not [each for each in orbit_warnings(whirling(2e-6)) if "moved so far" in each]
     (said,) = static_warnings(under(8000.0))
@@ -122,8 +122,8 @@ def test_beside_films_nothing_is_compared() -> None:
     assert not static_warnings(found)
 
 
-def test_a_resonance_between_the_speeds_of_the_case_is_told() -> None:
-    """There it is that of the peak by itself, and the same on a slow run past it."""
+def test_a_resonance_between_the_speeds_of_the_case_is_reported() -> None:
+    """There it is that of the peak alone, and the same on a slow run past it."""
     machine = mfw2310()
     body, points = PointMass("rotor", 0.25, 40.0, 0.04, 0.04), machine.points | {"middle": 0.25}
     machine = replace(machine, masses=(*machine.masses, body), points=points)

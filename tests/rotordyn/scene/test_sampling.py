@@ -10,7 +10,7 @@ from rotordyn.scene.scene import Scene
 from tests.oracles.spindles import RPM, mfw2310, scene
 
 
-def test_speeds_without_a_state_are_left_out_where_a_stop_closes_beside_them() -> None:
+def test_speeds_without_a_state_are_omitted_where_a_stop_closes_beside_them() -> None:
     """The shaft is hot about 21500 rpm alone, where it unloads the rear bearings."""
     speeds = (0.0, 19000 * RPM, 21500 * RPM, 24000 * RPM)
     found = scene(

@@ -169,7 +169,7 @@ def test_preload_alone_has_no_solution_either() -> None:
 
 
 def test_coarsest_mesh_is_a_mesh() -> None:
-    """One element between supports: as many reduced coordinates as freedoms, no more."""
+    """One element between supports: as many reduced coordinates as DOF, no more."""
     held = tuple(support(n, x, (1e7, 1e7)) for n, x in (("a", 0.0), ("b", 1.0)))
     rotor = uniform(1.0, 0.05, supports=held)
     asked = {"campbell": CampbellSpec(2000.0)}
@@ -199,7 +199,7 @@ def test_linear_supports_need_no_bearing_solver() -> None:
 
 
 def test_a_state_that_only_one_of_both_models_has_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    """As near to buckling, or where loads are hardly balanced: no error can be told there."""
+    """As near to buckling, or where loads are hardly balanced: no error can be reported there."""
     found = scene(mfw2310(), (0.0, 12000.0, 24000.0))
     exact = Scene.outcome
     monkeypatch.setattr(

@@ -78,7 +78,7 @@ def test_swirl_against_damping_in_closed_form(share: float) -> None:
     assert np.isfinite(found.frequency).all()
 
 
-def test_the_first_unstable_speed_is_told_with_the_growth_there() -> None:
+def test_the_first_unstable_speed_is_reported_with_the_growth_there() -> None:
     """Translation of a rigid rotor as above, κ by the speed; at twice the speed it grows faster."""
     mass, first = rotor_inertia(swirled(0.0)).mass, 500.0 * RPM
     cross = 2.2 * DAMPER * math.sqrt(2.0 * STIFF / mass)  # at twice ``first``, half of it there
@@ -202,8 +202,8 @@ def test_an_instability_above_the_band_is_no_fact(highest: float, told: str) -> 
     assert told in sentence
 
 
-def test_growth_is_told_at_speeds_with_fewer_poles() -> None:
-    """Damping so strong at rest that nothing swings; at speed the slowest pair grows."""
+def test_growth_is_reported_at_speeds_with_fewer_poles() -> None:
+    """Damping so strong at rest that nothing oscillates; at speed the slowest pair grows."""
     mass = rotor_inertia(swirled(0.0)).mass
     cross = 2.0 * DAMPER * math.sqrt(2.0 * STIFF / mass)
     swirl = {("y", "z"): (0.0, cross), ("z", "y"): (0.0, -cross)}
@@ -221,7 +221,7 @@ def test_growth_is_told_at_speeds_with_fewer_poles() -> None:
     assert sentence.startswith("unstable at 1 of 2 speeds, first at 1000 rpm: the machine vibrates")
 
 
-def test_growth_that_is_told_is_the_fastest_of_all_subsystems() -> None:
+def test_growth_that_is_reported_is_the_fastest_of_all_subsystems() -> None:
     """In the band; of what grows beyond it alone the slowest."""
 
     def growing(*pole: complex) -> Any:

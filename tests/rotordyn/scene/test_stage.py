@@ -47,7 +47,7 @@ def test_equal_machines_have_one_number_and_variants_another() -> None:
     assert _hash((held, 2)) != _hash((MappingProxyType({"a": 3, "b": (2.0, 3.0)}), 2))
 
 
-def test_inputs_of_one_number_are_told_apart() -> None:
+def test_inputs_of_one_number_are_distinguished() -> None:
     memo = Memo()
     memo.keep("stage", ([1],), "one")
     memo.keep("stage", ([2],), "two")

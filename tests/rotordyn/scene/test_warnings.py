@@ -54,7 +54,7 @@ def test_warnings_of_balls_say_at_which_speeds() -> None:
 
 
 def test_bearings_are_judged_wherever_they_were_solved(monkeypatch: pytest.MonkeyPatch) -> None:
-    """No analysis of the preload state is asked for."""
+    """No analysis of the preload state is requested."""
     little = Scene(mfw2310(), conditions(friction=0.01), SPEEDS)
     assert little.preload.usable.all()
     assert any("the balls slip" in sentence for sentence in bearing_warnings(little))
@@ -108,7 +108,7 @@ def test_accuracy_not_reached_is_a_warning() -> None:
 
 
 @pytest.mark.parametrize(("times", "said"), [(1.0, False), (8.0, True)])
-def test_preloads_beyond_all_classes_are_told(times: float, said: bool) -> None:
+def test_preloads_beyond_all_classes_are_reported(times: float, said: bool) -> None:
     machine = mfw2310()
     sleeves = tuple(
         replace(each, spring=replace(each.spring, preload=times * each.spring.preload))
@@ -120,7 +120,7 @@ def test_preloads_beyond_all_classes_are_told(times: float, said: bool) -> None:
     assert bool(told) == said
 
 
-def test_a_bearing_within_its_play_is_told() -> None:
+def test_a_bearing_within_its_play_is_reported() -> None:
     spindle = rotordyn.load("spindle_deep_groove_rear").spindle
     deep, angular = spindle.seats[-1], spindle.seats[0]
     assert (deep.bearing.both_ways, angular.bearing.both_ways) == (True, False)

@@ -10,5 +10,5 @@ from tests.rotordyn.study.rotor_twin import measured, spindle
 
 @pytest.fixture(scope="session")
 def taps() -> Responses:
-    """Responses of the twin, measured by taps."""
+    """Responses of the synthetic rotor to taps."""
     return measured(spindle())

@@ -76,7 +76,7 @@ def test_numbers_beside_words_keep_their_unit(flagship: Case) -> None:
     assert found.labels == ("rigid", "8 N/um", "9 N/um")
 
 
-def test_rows_of_numbers_stand_as_they_were_written(flagship: Case) -> None:
+def test_rows_of_numbers_are_as_they_were_written(flagship: Case) -> None:
     asked = [["0 rpm", "9000 rpm"], (0.0, 10.0), [f"{k} rpm" for k in range(99)]]
     found = design(flagship, {"speeds": asked}).parameters[0]
     assert found.labels[:2] == ("[0 rpm, 9000 rpm]", "[0 rad/s, 10 rad/s]")

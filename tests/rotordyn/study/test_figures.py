@@ -1,4 +1,4 @@
-"""Figures of a study: every line is told apart and named, no name is cut."""
+"""Figures of a study: every line is distinguished and named, no name is cut."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def test_a_panel_says_at_how_many_points_there_is_no_number(drawn: dict[str, Any
     assert [text.get_text() for text in panel.texts] == ["none at 6 of 18"]
 
 
-def test_lines_of_a_third_path_are_told_apart_and_named(drawn: dict[str, Any]) -> None:
+def test_lines_of_a_third_path_are_distinguished_and_named(drawn: dict[str, Any]) -> None:
     figure = drawn["study_preload"]
     lines = [each for each in figure.axes[0].lines if np.isfinite(each.get_ydata()).any()]
     looks = {(each.get_color(), each.get_linestyle(), each.get_marker()) for each in lines}

@@ -1,4 +1,4 @@
-"""Identification: twins found again, what data cannot tell said."""
+"""Identification from synthetic data; values that the data do not determine are named."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def case() -> Case:
 
 
 @pytest.mark.long
-def test_five_twins_are_found_again(case: Case) -> None:
+def test_five_synthetic_machines_are_identified(case: Case) -> None:
     """95 % intervals: all but a few of 20 hold; three misses or fewer have a chance of 98 %."""
     inside = []
     for seed in range(5):
@@ -94,8 +94,8 @@ def test_shaft_alone_cannot_tell_the_preloads_apart(case: Case) -> None:
 
 
 @pytest.mark.long
-def test_growth_and_three_shifts_are_not_told_apart() -> None:
-    """Beside all others of the twin; with the shifts known, growth is."""
+def test_growth_and_three_shifts_are_not_distinguished() -> None:
+    """Together with all other unknowns; with the shifts known, growth is."""
     asked = read_identification(STUDIES / "mfw2310_twin.yaml").searches
     path = "spindle.shortening.shift"
     shift = {"a": 0.0, "b": 0.0, "c": -0.305e-6, "d": -42.8e-6, "e": -42.8e-6}

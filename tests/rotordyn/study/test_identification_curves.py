@@ -1,4 +1,4 @@
-"""Axial curves as they were measured: points left out, speeds that scatter."""
+"""Axial curves as they were measured: points omitted, speeds that scatter."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def test_drift_of_points_left_is_that_of_their_time(branches: tuple[str, str]) -
 
 
 def _row(whole: AxialCurve, few: AxialCurve, k: int) -> int:
-    """Where a point of the few stands in the whole."""
+    """Place of a point of the few in the whole."""
     same: Array = (whole.speed == few.speed[k]) & (whole.force == few.force[k])
     (row,) = np.flatnonzero(same & (np.array(whole.branch) == few.branch[k]))
     return int(row)

@@ -51,7 +51,7 @@ def _study(folder: Path, **changes: str) -> Path:
     return path
 
 
-SMALL = """title: Two numbers of a twin
+SMALL = """title: Two values of a synthetic machine
 case: mfw2310_identification.yaml
 unknowns:
   spindle.sleeves.front.stop_travel: {from: 20 um, to: 100 um, start: 60 um, name: stop}

@@ -69,7 +69,7 @@ def test_an_identification_says_which_variants_it_leaves_out() -> None:
 
 
 def test_a_value_small_by_its_unit_is_printed() -> None:
-    """Damping by stiffness, of 0.3 µs, stands in seconds: it and its interval are not 0.000000."""
+    """Damping by stiffness, of 0.3 µs, is in seconds: it and its interval are not 0.000000."""
     damped = replace(spindle(), rayleigh=RayleighDamping(stiffness=3e-7))
     measured = modes(damped, np.random.default_rng(4))
     sought = {"spindle.damping.rayleigh.stiffness": Unknown(1e-8, 1e-5)}

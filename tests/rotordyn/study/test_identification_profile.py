@@ -191,7 +191,7 @@ def test_profiles_that_cannot_be(case: Case) -> None:
 
 
 def test_predictions_range_over_all_models_that_survive(case: Case) -> None:
-    """Loads of machines with either front preload, of which the measurement says nothing."""
+    """Loads of machines with either front preload, which the measurement does not determine."""
     plain = replace(case, analyses={"preload": case.analyses["preload"]}, speeds=(24000.0 * RPM,))
     plain = rotordyn.vary(plain, {FRONT + "stop_travel": np.inf})
     measured = Preloads("rear", (0.528, 1.056), (0.1, 0.1))

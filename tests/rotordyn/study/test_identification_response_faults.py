@@ -88,7 +88,7 @@ def test_noise_alone_is_no_response(taps: Responses) -> None:
         (np.negative, "a sensor against the force"),
     ],
 )
-def test_signs_of_driving_points_are_told(
+def test_signs_of_driving_points_are_reported(
     taps: Responses, speed: float, turned: Callable[[Values], Values], sentence: str
 ) -> None:
     """Of a rotor at rest and in rotation; other responses may have any phase."""
@@ -193,8 +193,8 @@ DRIFT = 2000.0  # m/N Hz⁴: of the charge amplifier of an accelerometer, at low
 
 
 def with_floor(seed: int, *, coherent: bool) -> Responses:
-    """Responses of the twin whose noise is 1 % and a drift, which swamps the
-    lowest lines; the coherence of ten averages knows it."""
+    """Responses of the synthetic rotor whose noise is 1 % and a drift, which swamps the
+    lowest lines; the coherence of ten averages shows it."""
     exact, rng = measured(spindle(), noise=0.0), np.random.default_rng(seed)
 
     def noisy(one: MeasuredResponse) -> MeasuredResponse:
@@ -231,7 +231,7 @@ def test_lines_that_swamp_are_named_where_no_coherence_tells_of_them() -> None:
         assert with_floor(0, coherent=False).data
 
 
-def test_lines_that_stand_alone_are_named_and_are_no_modes(taps: Responses) -> None:
+def test_lines_that_are_alone_are_named_and_are_no_modes(taps: Responses) -> None:
     """Three of them twice their size off, none within two lines of a mode."""
     wrong, first = [40, 70, 120], taps.responses[0]
     factor = np.ones(len(FREQUENCY))

@@ -1,4 +1,4 @@
-"""The rotor from frequency responses: a twin, and what wrong models show."""
+"""The rotor from frequency responses: synthetic data, and the signs of wrong models."""
 
 from __future__ import annotations
 
@@ -162,8 +162,8 @@ def test_gains_of_sensors_are_taken_out(taps: Responses) -> None:
     assert costs[1] == pytest.approx(1.0, abs=0.15)
 
 
-def test_the_shipped_twin_knows_its_modes() -> None:
-    """At the true values of ``docs/generate/response_twins.py``: no mode lacks, χ² of the noise."""
+def test_the_modes_of_the_shipped_synthetic_responses() -> None:
+    """At the true values of docs/generate/synthetic_responses.py: all modes, χ² of the noise."""
     asked = read_identification("cases/identification/grinding_spindle_taps.yaml")
     problem = asked.searches.problem(0)
     true = np.array([88e-3, 74e-3, 46e-3, 36e-3, 1.85, 800.0, 350.0])

@@ -219,7 +219,7 @@ def test_least_absolute_differences_are_as_near_beside_large_outliers(case: Case
     assert np.mean(away) < 0.3
 
 
-def test_points_that_stand_off_are_named_beside_least_absolute_differences(case: Case) -> None:
+def test_outliers_are_named_beside_least_absolute_differences(case: Case) -> None:
     """The farthest first; least squares, which share them out, name none."""
     asked = {P1: Unknown("1 N", "1 kN", start="500 N"), P2: Unknown("20 N", "600 N", start="100 N")}
     noise = np.random.default_rng(5).normal(0.0, 2.0, len(ALONG))

@@ -129,7 +129,7 @@ def test_depths_without_end_differ_by_ratios_and_are_never_below_zero() -> None:
     assert (moved[:2] > 0.0).all()
 
 
-def test_rounding_does_not_order_twins() -> None:
+def test_rounding_does_not_order_double_peaks() -> None:
     """Both whirls of a mode at rest have one frequency, which of them is named must not depend on
     the last digit."""
     case = _case(("preload", "campbell"), (0.0, 12000.0), tolerances={SPRING: "± 10 %"})
@@ -153,7 +153,7 @@ def test_numbers_without_a_limit_at_both_ends_do_not_vary() -> None:
     assert first not in left
 
 
-def test_what_some_machines_lack_is_told_where_it_stands() -> None:
+def test_what_some_machines_lack_is_reported_where_it_is() -> None:
     """By a star in the row of the number, or by its name where it has no row."""
     case = _case(("preload", "campbell"), (0.0, 12000.0), tolerances={SPRING: "± 10 %"})
     held = rotordyn.run(case, interval=True).held_intervals[""]
@@ -526,7 +526,7 @@ def test_variants_have_their_own() -> None:
         _ = results.interval
 
 
-def test_machines_without_a_solution_are_left_out_and_said() -> None:
+def test_machines_without_a_solution_are_omitted_and_named() -> None:
     case = _case(("preload",), (0.0, 24000.0), tolerances={SPRING: "± 10 %"})
     machines = Machines(lean(case))
     lost = machines.values({"spindle.bearings.*.model.balls": 400})

@@ -182,7 +182,7 @@ def test_an_analysis_without_headline_numbers_names_its_variables(overhung: Any)
 
 
 def test_a_machine_without_critical_speed_keeps_a_limit_that_says_so(tmp_path: Path) -> None:
-    """The case as it stands has none, nor the stiffest of the choices; a limit that does not say
+    """The unchanged case has none, nor the stiffest of the choices; a limit that does not say
     so leaves the one that has."""
     path = tmp_path / "span.yaml"
     text = SPAN_CASE.format(outer=OUTER, overhang=OVERHANG, front=FRONT, rear=REAR)
@@ -274,7 +274,7 @@ def test_few_choices_are_all_tried(case: Case) -> None:
 
 
 def test_all_trials_of_whole_numbers_are_spent(case: Case, monkeypatch: pytest.MonkeyPatch) -> None:
-    """25 of 33 machines, no two alike; the best stands at an end of both."""
+    """25 of 33 machines, no two alike; the best is at an end of both."""
 
     def tried(packed: bytes, place: tuple[float, ...], _: int = 1) -> Trial:
         return Trial(place, goals=(place[0] + 3.0 * place[1],), units=("N",))
@@ -359,7 +359,7 @@ def test_ends_of_a_trade_off_are_the_best_of_each_goal(
     assert enough.best.goals[0] > 0.9999 * machine.most()
 
 
-def test_the_case_as_it_stands_is_tried_first_or_said_to_be_better(case: Case) -> None:
+def test_the_unchanged_case_is_tried_first_or_said_to_be_better(case: Case) -> None:
     """A limit that it just keeps, which few trials would not find."""
     start = as_it_stands(Problem(case, (), (STIFF,), (Limit("preload: sum", at_most="90 kN"),)))
     limit = Limit("preload: sum", at_most=f"{start.readings[0]:.9g} N")
@@ -432,7 +432,7 @@ def test_a_local_search_goes_where_a_goal_has_no_bound(
         (["800 N", "1 kN"], None),
     ],
 )
-def test_place_of_the_case_as_it_stands(case: Case, asked: object, place: float | None) -> None:
+def test_place_of_the_unchanged_case(case: Case, asked: object, place: float | None) -> None:
     whole = vary(case, {SPRING: "900 N"})
     found = Problem(whole, tuple(parameters(whole, {SPRING: asked})), (STIFF,)).present
     assert (found and found[0]) == (None if place is None else pytest.approx(place))
@@ -454,7 +454,7 @@ def test_whole_numbers(case: Case) -> None:
         assert found.values[balls] == best
 
 
-def test_models_of_the_case_as_it_stands_are_named(case: Case) -> None:
+def test_models_of_the_unchanged_case_are_named(case: Case) -> None:
     """By their choice, or by their own name where they are none of these; none if they differ."""
     rows = []
     for choices, machine in (
@@ -686,7 +686,7 @@ def test_what_a_limit_may_be() -> None:
 
 
 def test_one_absent_number_of_several_breaks_a_limit(case: Case) -> None:
-    """Unless that says ``absent``; then, and of goals, it is told."""
+    """Unless that says ``absent``; then, and of goals, it is reported."""
     stop = "preload: stop"
     reading = Reading(np.array([9e3]), "rpm", ("stop rear",), (None,), absent=1)
     broken = Limit(stop, at_most="13000 rpm").margin(reading)

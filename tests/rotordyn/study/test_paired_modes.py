@@ -49,7 +49,7 @@ def test_a_whirl_pair_is_one_mode_unless_the_measurement_resolves_it(
 
 
 @pytest.mark.parametrize(("share", "joined"), [(0.1, 1), (1e-4, 0)])
-def test_a_mode_that_hides_beside_a_measured_one_is_told(
+def test_a_mode_that_hides_close_to_a_measured_one_is_reported(
     monkeypatch: pytest.MonkeyPatch, share: float, joined: int
 ) -> None:
     """Three half-widths above it, with a residue of some ``share``; one far below the noise is

@@ -103,7 +103,7 @@ def test_a_point_is_a_single_run(case: Case) -> None:
 
 
 def test_results_are_kept_whole_where_points_have_other_critical_speeds(case: Case) -> None:
-    """A mode that several orders excite stands there several times, the first of each in line."""
+    """A mode that several orders excite is listed several times, the first of each in line."""
     asked = [(0.0, 200.0 * math.pi), (0.0, 400.0 * math.pi)]
     alone = restricted(case, ("campbell",)).vary({"analyses.campbell.engine_orders": (3, 4, 8)})
     found = sweep(alone, {"speeds": asked}, results=["campbell"], workers=1)
@@ -165,7 +165,7 @@ def test_some_points_are_checked_and_all_where_errors_are_large(
     case: Case, monkeypatch: pytest.MonkeyPatch, small: float | str, most: int, checked: list[int]
 ) -> None:
     """And numbers are those of single runs. An error of twice or a little below the share that
-    stands for two machines: it stands for four or for two."""
+    represents two machines: it represents four or for two."""
     asked = {SPRING: Span(800.0, 1600.0, 5)}
     study = study_of(case, asked, analyses=["preload", "campbell"])
     packed = workers.pack(study)
@@ -328,7 +328,7 @@ def test_a_full_disk_is_said(monkeypatch: pytest.MonkeyPatch, case: Case, tmp_pa
     assert os.listdir(tmp_path / "s") == ["points.jsonl"]
 
 
-def test_models_stand_beside_the_file_of_the_study(
+def test_models_are_beside_the_file_of_the_study(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "mine.yaml").write_text((models_root() / "bearings" / "vex70.yaml").read_text())
@@ -429,7 +429,7 @@ def _dies(packed: bytes, number: int, points: int) -> Outcome:
 
 
 def test_a_process_killed_within_its_answer_is_noticed(tmp_path: Path) -> None:
-    """Half an answer stands in the pipe, and the other process still works."""
+    """Half a result is in the pipe, and the other process still works."""
     found = workers.solved_here(str(tmp_path).encode(), [0, 1, 2], 2, _dies_within)
     assert sorted(each.number for each in found) == [0, 1, 2]
     assert (tmp_path / "killed").exists()
@@ -565,7 +565,7 @@ def test_a_scheduler_that_is_not_there(
 
 
 def test_processes_that_were_started_before_are_taken(monkeypatch: pytest.MonkeyPatch) -> None:
-    """And no more of them than are asked for; one process is none."""
+    """And no more of them than are requested; one process is none."""
     monkeypatch.setattr(processes, "_idle", [])
     processes.start(1)
     assert processes._idle == []
@@ -699,7 +699,7 @@ def test_a_model_for_something_else_is_checked_again(case: Case) -> None:
 def test_every_machine_of_a_tight_accuracy_is_checked(
     case: Case, monkeypatch: pytest.MonkeyPatch, accuracy: float, checked: int
 ) -> None:
-    """A small error of the first stands for others of any usual accuracy."""
+    """A small error of the first represents others of any usual accuracy."""
 
     def solved(*_: Any, checks: Any, **__: Any) -> None:
         checks.worst = checks.first = 1e-3
@@ -712,7 +712,7 @@ def test_every_machine_of_a_tight_accuracy_is_checked(
 def test_what_a_first_model_lacked_is_looked_for_in_the_next_machine(
     case: Case, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """It begins with that model; the error told is that of the finer one, which answered."""
+    """It begins with that model; the reported error is that of the finer one."""
 
     def solved(*_: Any, checks: Any, **__: Any) -> None:
         checks.first, checks.worst = 5.0, 1e-3
@@ -794,7 +794,7 @@ def test_limits_of_a_study_know_all_modes_whatever_was_solved_before(tmp_path: P
     assert found["stability_lobes: least"].values[1] < found["stability_lobes: least"].values[0]
 
 
-def test_what_is_kept_whole_stands_beside_numbers_of_the_same_name(tmp_path: Path) -> None:
+def test_what_is_kept_whole_is_beside_numbers_of_the_same_name(tmp_path: Path) -> None:
     (tmp_path / "lobes.yaml").write_text(LOBES)
     case = rotordyn.load(tmp_path / "lobes.yaml")
     spring = "spindle.sleeves.front.spring.preload"

@@ -1,4 +1,4 @@
-"""Between its nodes an element moves as the beam does that it stands for."""
+"""Between its nodes an element moves as the beam does that it represents."""
 
 from __future__ import annotations
 

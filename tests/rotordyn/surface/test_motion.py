@@ -83,7 +83,7 @@ def test_reach_is_the_largest_distance_of_a_period() -> None:
     assert reach(moved) == pytest.approx(np.max(sampled, axis=0), rel=2e-6)
 
 
-def test_drawn_displacement_is_the_length_asked_for_unless_sections_tilt_too_far() -> None:
+def test_drawn_displacement_is_the_length_requested_unless_sections_tilt_too_far() -> None:
     spindle, found = mfw2310(), modes()
     surface = rotor_surface(spindle)
     for mode, kind in enumerate(found.kind):

@@ -112,7 +112,7 @@ def test_a_mass_without_such_a_cylinder_is_a_collar() -> None:
     assert np.hypot(own[:, 1], own[:, 2]).max() == pytest.approx(1.06 * 0.035)
 
 
-def test_rings_stand_where_the_bearings_are() -> None:
+def test_rings_are_where_the_bearings_are() -> None:
     spindle = STEPS["the flagship"]
     rings = holder_surface(spindle)
     assert rings is not None

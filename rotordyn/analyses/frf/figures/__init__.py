@@ -85,7 +85,7 @@ def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
         for index in sorted(slices[:MOST_SLICES]):
             frequency, values = result.curve(index, pair)
             title = f"{result.kind} {name} at {result.speed[index] * RPM.factor:.0f} rpm"
-            title += ", in the turning frame" if turning(result) else ""
+            title += ", in the rotating frame" if turning(result) else ""
             look: dict[str, Any] = {"along": x_label, "title": title, "log": True}
             size = np.abs(values) * unit.factor
             curve = Curve(f"frf_curves{number}", "amplitude", unit.unit, frequency, size, **look)

@@ -74,7 +74,7 @@ def test_tangents_side_by_side() -> None:
     assert np.abs(exact).max() < 1e-6 < np.abs(frozen[2]).min()
 
 
-def test_a_published_error_stands_beside_the_largest_of_ours() -> None:
+def test_a_published_error_is_beside_the_largest_computed_one() -> None:
     known = Reference("frozen_error", "published", "x", (SPEED[2],), (0.16,))
     spec = BearingMapSpec((250.0, 1000.0), tangents=("complete", "frozen"))
     found = solve(VEX70, Conditions(kinematics="outer"), SPEED, spec)
@@ -107,7 +107,7 @@ def test_a_load_without_state_keeps_its_reason() -> None:
     assert np.isfinite(found.stiffness[0, 1]).all()
 
 
-def test_static_bearing_does_not_know_the_speed() -> None:
+def test_static_bearing_does_not_depend_on_the_speed() -> None:
     found = solve(VEX70, Conditions(bearings="static"), SPEED, BearingMapSpec((500.0,)))
     assert found.deflection.shape == (3, 1)
     assert (found.deflection == found.deflection[0]).all()
@@ -284,7 +284,7 @@ def test_heat_that_cannot_leave_is_refused() -> None:
         replace(FLOW, inner_shaft=0.0, outer_housing=0.0, balls_oil=0.0)
 
 
-def test_what_numbers_of_contacts_mean_stands_above_their_curves() -> None:
+def test_what_numbers_of_contacts_mean_is_above_their_curves() -> None:
     spec = BearingMapSpec(radial_loads=(-3e3, 0.0, 6e3), axial_load=-5e3)
     found = solve(four_point(QJ218), Conditions(), np.array([0.0, 6000.0]) * RPM, spec)
     figure = contacts_figure(found)

@@ -116,7 +116,7 @@ def test_tables(name: str, rows: int, column: str, value: str | None) -> None:
         assert columns["moment [N·m]"][-1] == "300"
 
 
-def test_life_beyond_its_validity_is_told_as_of_a_spindle() -> None:
+def test_life_beyond_its_validity_is_reported_as_of_a_spindle() -> None:
     """P above C/2 and S0 below 2, of VEX70 from some 15 kN on."""
     loads = (300.0, 12e3, 16e3, 20e3)
     found = solve(VEX70, Conditions(), np.array([100.0, 200.0]), BearingMapSpec(loads))
@@ -155,7 +155,7 @@ def test_what_has_a_state_up_to_a_lower_speed_says_so() -> None:
 
 
 @pytest.mark.parametrize("films", [False, True])
-def test_an_oil_too_thick_for_the_formula_of_inlet_heating_is_told(films: bool) -> None:
+def test_an_oil_too_thick_for_the_formula_of_inlet_heating_is_reported(films: bool) -> None:
     """VG 460 at 40 °C: 13.2 (p/E′) L^0.42 is beyond 1 at 30 000 rpm, where the film was 0."""
     thick = replace(OIL, viscosity_40=460e-6, viscosity_100=30e-6, temperature=40.0)
     spec = BearingMapSpec((600.0,), lubricant=thick, films=films)

@@ -42,7 +42,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory, moving: MovingSurface) -> P
     return path
 
 
-def test_scale_is_the_share_of_the_length_asked_for(moving: MovingSurface) -> None:
+def test_scale_is_the_share_of_the_length_requested(moving: MovingSurface) -> None:
     assert moving.scale * reach(moving.shape).max() == pytest.approx(AMPLITUDE * LENGTH)
 
 

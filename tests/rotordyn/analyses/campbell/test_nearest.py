@@ -98,7 +98,7 @@ def test_excited_is_what_is_excited_at_critical_speeds() -> None:
             assert excited == (own[name] in (way, "either"))
 
 
-def test_the_turning_frame_tells_of_the_fixed_one() -> None:
+def test_the_rotating_frame_tells_of_the_fixed_one() -> None:
     found = diagram(overhung(5e7, 5e7), 1000.0)
     known = {name: getattr(found, name) for name in declared(found)}
     turning = TurningCampbellResult(**(known | {"frequency": found.frequency + 7.0}))

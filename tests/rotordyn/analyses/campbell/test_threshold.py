@@ -132,7 +132,7 @@ def test_a_mode_that_is_stable_again_does_not_grow_on() -> None:
 
 
 def test_a_mode_that_is_stable_between_speeds_of_growth_does_not_grow_on() -> None:
-    """Damping of a mode that falls beyond it is told as a share."""
+    """Damping of a mode that falls beyond it is reported as a share."""
     found = whipping(0.0, 40000.0, 60000.0, 80000.0)
     ratio, first = found.damping_ratio.copy(), found.mode.index(found.first_to_grow)
     ratio[2:, first] = 0.01, -1.0

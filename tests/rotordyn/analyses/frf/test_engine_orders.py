@@ -105,6 +105,6 @@ def test_a_further_rotor_has_lines_of_its_own() -> None:
     np.testing.assert_allclose(found.line_frequency[:, 2], 0.03 * SPEEDS / (2.0 * math.pi))
 
 
-def test_the_turning_frame_has_no_engine_orders() -> None:
+def test_the_rotating_frame_has_no_engine_orders() -> None:
     with pytest.raises(InvalidInput, match="engine_orders: a multiple of the speed"):
         solve(scene("isotropic", formulation="rotating"), FrfSpec((), ASKED, engine_orders=(1.0,)))

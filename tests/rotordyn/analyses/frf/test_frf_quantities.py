@@ -66,8 +66,8 @@ def test_error_is_over_the_largest_value_of_the_quantity() -> None:
         assert off / 3.0 < rough.error[0] < 3.0 * off
 
 
-def test_turning_frame_has_receptances_only() -> None:
-    with pytest.raises(InvalidInput, match="mobility in a frame that turns"):
+def test_rotating_frame_has_receptances_only() -> None:
+    with pytest.raises(InvalidInput, match="mobility in a frame that rotates"):
         solved("mobility", Conditions(formulation="rotating"))
 
 

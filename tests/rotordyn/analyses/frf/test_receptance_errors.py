@@ -1,4 +1,4 @@
-"""Reported errors of many receptances at once are those of each by itself."""
+"""Reported errors of many receptances at once are those of each alone."""
 
 from __future__ import annotations
 

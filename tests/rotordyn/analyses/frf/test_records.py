@@ -124,7 +124,7 @@ def test_amplitude_and_phase_with_units(
 
 
 @pytest.mark.parametrize("end", ["uff", "csv"])
-def test_a_first_line_at_0_hz_is_left_out(tmp_path: Path, end: str) -> None:
+def test_a_first_line_at_0_hz_is_omitted(tmp_path: Path, end: str) -> None:
     """Records of analysers begin with the mean, of which no mobility or inertance is known."""
     path = tmp_path / f"tap.{end}"
     if end == "uff":
@@ -447,7 +447,7 @@ def test_the_curve_that_a_measured_one_is_compared_with_is_drawn(
 
 
 @pytest.mark.long
-def test_a_response_compared_at_another_speed_than_its_own_is_told(tmp_path: Path) -> None:
+def test_a_response_compared_at_another_speed_than_its_own_is_reported(tmp_path: Path) -> None:
     rows = "".join(f"{f},{1.0 + f % 3},0\n" for f in range(5, 40))
     (tmp_path / "tap.csv").write_text("frequency [Hz],amplitude [um/N],phase [deg]\n" + rows)
     for rpm, words in ((400, "400 rpm, computed at 0 rpm"), (1000, "1000 rpm"), (0, "0 rpm")):
@@ -469,7 +469,7 @@ def test_a_response_of_too_few_points_is_not_compared(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("kind", ["receptance", "mobility", "inertance"])
-def test_a_response_of_no_driving_point_is_told(kind: str) -> None:
+def test_a_response_of_no_driving_point_is_reported(kind: str) -> None:
     """An oscillator as it is, with a sensor against the force, and with the sign convention
     e^(-iωt), which the real part of a mobility does not show; between two points anything goes."""
     frequency = np.linspace(1.0, 40.0, 60)
@@ -500,7 +500,7 @@ def test_a_response_of_no_driving_point_is_told(kind: str) -> None:
 
 def test_peaks_of_a_coarse_record_of_the_same_machine_are_its_own(tmp_path: Path) -> None:
     """Lines of 0.5 Hz, the highest of which has a tenth of a peak at rest; at 1000 rpm two peaks
-    stand nearer to each other than lines, which is told."""
+    stand nearer to each other than lines, which is reported."""
     result = solve(case(tmp_path)).results["frf"]
     lines, found = [], []
     for rpm, values in zip((0, 1000), result.receptance[:, 0], strict=True):

@@ -42,7 +42,7 @@ def test_one_exact_record_per_slice_and_pair(tmp_path, results):
 
 @pytest.mark.parametrize("even", [True, False])
 def test_heads_say_how_many_bytes_follow(tmp_path, results, even):
-    """Data cut by what the head says: behind each stands the end of its record."""
+    """Data cut after the length in the header: each is followed by the end of its record."""
     path, frf = tmp_path / "frf.uff", results["frf"]
     frequency = np.linspace(100.0, 1100.0, len(frf.frequency)) ** (1.0 if even else 1.01)
     write_uff(path, replace(frf, frequency=frequency), case="sample", places=PLACES)

@@ -1,7 +1,7 @@
-"""How finely the path from the convex problem is followed: time against states that come out wrong.
+"""Step length along the path from the convex problem: time against wrong states.
 
-States are those of the survey of random bearings in the upper half of its speeds. What is right is
-said by strides of a fixed length, so fine that a four times finer one says the same.
+States are those of the survey of random bearings in the upper half of its speeds. The reference has
+steps of a fixed length; it is certain where steps of four times that length give the same.
 """
 
 from __future__ import annotations
@@ -37,8 +37,8 @@ FINE, FINER = 2.0**-5, 2.0**-7
 
 
 @dataclass(frozen=True)
-class Strides:
-    """What ``bearings.ring.tolerances`` calls by these names."""
+class PathSteps:
+    """Constants of ``bearings.ring.tolerances`` by shorter names."""
 
     first: float = FIRST_BLEND
     turn: float = LONGEST_TURN
@@ -49,7 +49,7 @@ class Strides:
 
     @contextmanager
     def used(self) -> Iterator[None]:
-        """The solver strides so."""
+        """The solver uses these steps."""
         names = {
             "FIRST_BLEND": self.first,
             "LONGEST_TURN": self.turn,
@@ -62,49 +62,51 @@ class Strides:
             yield
 
 
-def fixed(length: float) -> Strides:
-    """Strides of one length, shortened only where they fail, never longer again."""
-    return Strides(first=length, turn=0.05, shortest=2.0**-24, most=8, quick=-1, free=length)
+def fixed(length: float) -> PathSteps:
+    """Steps of one length, shortened only where they fail, never lengthened again."""
+    return PathSteps(first=length, turn=0.05, shortest=2.0**-24, most=8, quick=-1, free=length)
 
 
-VARIED: dict[str, dict[float, Strides]] = {
-    "as shipped": {FIRST_BLEND: Strides()},
-    "first stride": {v: Strides(first=v) for v in (1.0, 0.5, 0.25, 2.0**-4)},
-    "longest turn [rad]": {v: Strides(turn=v) for v in (1.5, 0.6, 0.3, 0.15, 0.075, 0.0375, 0.02)},
-    "most Newton steps": {v: Strides(most=v) for v in (8, 6, 5, 4)},
-    "shortest stride": {
-        v: Strides(shortest=v) for v in (0.5, 2.0**-3, 2.0**-5, 2.0**-9, 2.0**-17, 2.0**-25)
+VARIED: dict[str, dict[float, PathSteps]] = {
+    "default": {FIRST_BLEND: PathSteps()},
+    "first path step": {v: PathSteps(first=v) for v in (1.0, 0.5, 0.25, 2.0**-4)},
+    "largest rotation [rad]": {
+        v: PathSteps(turn=v) for v in (1.5, 0.6, 0.3, 0.15, 0.075, 0.0375, 0.02)
     },
-    "fixed strides": {v: fixed(v) for v in (0.25, 2.0**-4)},
+    "Newton steps allowed": {v: PathSteps(most=v) for v in (8, 6, 5, 4)},
+    "shortest path step": {
+        v: PathSteps(shortest=v) for v in (0.5, 2.0**-3, 2.0**-5, 2.0**-9, 2.0**-17, 2.0**-25)
+    },
+    "fixed path steps": {v: fixed(v) for v in (0.25, 2.0**-4)},
 }
-SMOOTH = ("hybrid", "outer")  # the others lose a contact with a jump
+SMOOTH = ("hybrid", "outer")  # with the others contact is lost with a jump
 
 
 @dataclass(frozen=True)
 class Judged:
-    """States of a bearing and what the two finest strides find; ``sure`` where they agree."""
+    """States of a bearing and the results of the two finest steps; ``certain`` where they agree."""
 
     asked: Asked
     true: BearingState
-    sure: NDArray[np.bool_]
+    certain: NDArray[np.bool_]
 
 
-def measure_strides(bearings: int = 24, repeats: int = 2) -> dict[str, Any]:
+def measure_path_steps(bearings: int = 24, repeats: int = 2) -> dict[str, Any]:
     """How many states were judged, and a line per setting."""
     judged = [_judged(number) for number in range(bearings)]
-    sure = sum(int(one.sure.sum()) for one in judged)
-    exist = sum(int((one.sure & (one.true.outcome == "")).sum()) for one in judged)
+    certain = sum(int(one.certain.sum()) for one in judged)
+    exist = sum(int((one.certain & (one.true.outcome == "")).sum()) for one in judged)
     lines = [
-        {"varied": name, "value": value, **_line(strides, judged, repeats, sure)}
+        {"varied": name, "value": value, **_line(steps, judged, repeats, certain)}
         for name, settings in VARIED.items()
-        for value, strides in settings.items()
+        for value, steps in settings.items()
     ]
-    states = sum(one.sure.size for one in judged)
-    return {"states": states, "sure": sure, "exist": exist, "lines": lines}
+    states = sum(one.certain.size for one in judged)
+    return {"states": states, "certain": certain, "exist": exist, "lines": lines}
 
 
 def fast_states(number: int) -> Asked:
-    """A bearing and what is asked of it in the upper half of its speeds."""
+    """A bearing and its prescribed states in the upper half of its speeds."""
     asked = draw_states(number, EACH)
     share = np.random.default_rng([3, number]).uniform(0.5, 1.0, EACH)
     return replace(asked, speed=HIGHEST / asked.drawn.bearing.pitch_diameter * share)
@@ -119,21 +121,21 @@ def _judged(number: int) -> Judged:
 
 
 def _same(asked: Asked, one: BearingState, other: BearingState) -> NDArray[np.bool_]:
-    """Where both found the same state, or none."""
+    """Where both have the same state, or none."""
     apart = np.abs(one.ball_centre - other.ball_centre).max(axis=(0, -1))
     near = apart < SAME * asked.drawn.bearing.ball_diameter
     neither = (one.outcome != "") & (other.outcome != "")
     return np.where((one.outcome == "") & (other.outcome == ""), near, neither)
 
 
-def _line(strides: Strides, judged: list[Judged], repeats: int, sure: int) -> dict[str, Any]:
-    """µs per state, all bearings in turn; states refused, other, or found where none is, and how
-    many of these are wrong without a jump in the hypothesis."""
+def _line(steps: PathSteps, judged: list[Judged], repeats: int, certain: int) -> dict[str, Any]:
+    """µs per state, all bearings in turn; states refused, other, or found where none exists, and
+    the number of these under hypotheses without a jump."""
     seconds, wrong = [], Counter[str]()
     for run in range(repeats):
         total = 0.0
         for one in judged:
-            with strides.used():
+            with steps.used():
                 begin = time.perf_counter()
                 found = one.asked.solve()
                 total += time.perf_counter() - begin
@@ -141,17 +143,17 @@ def _line(strides: Strides, judged: list[Judged], repeats: int, sure: int) -> di
                 continue
             there, is_true = found.outcome == "", one.true.outcome == ""
             missed = {
-                "refused": one.sure & is_true & ~there,
-                "invented": one.sure & ~is_true & there,
-                "other": one.sure & is_true & there & ~_same(one.asked, found, one.true),
+                "refused": one.certain & is_true & ~there,
+                "spurious": one.certain & ~is_true & there,
+                "other": one.certain & is_true & there & ~_same(one.asked, found, one.true),
             }
             for word, which in missed.items():
                 wrong[word] += int(which.sum())
                 wrong["smooth"] += int(which.sum()) * (one.asked.drawn.kinematics in SMOOTH)
         seconds.append(total)
-    states = sum(one.sure.size for one in judged)
+    states = sum(one.certain.size for one in judged)
     return {
         "state": 1e6 * min(seconds) / states,
-        **{word: wrong[word] for word in ("refused", "other", "invented", "smooth")},
-        "share": (wrong["refused"] + wrong["other"] + wrong["invented"]) / max(sure, 1),
+        **{word: wrong[word] for word in ("refused", "other", "spurious", "smooth")},
+        "share": (wrong["refused"] + wrong["other"] + wrong["spurious"]) / max(certain, 1),
     }

@@ -1,9 +1,9 @@
-"""Writes the curves that studies of cases/identification read: a spindle that was computed.
+"""Writes the synthetic curves that studies of cases/identification read, computed for a spindle.
 
-Twins: three speeds, 25 points on both branches, noise of 0.4 µm, a tare of 1 µm at each speed.
-Curve at 4000 rpm: that of the spindle as identified in the thesis, whose model meets the measured
-one within 0.48 µm in the mean (D. Noël, doctoral thesis, 2013, table 3.7 and figure 3.27).
-Story: the falling branch alone, densely.
+``twin_*``: three speeds, 25 points on both branches, noise of 0.4 µm, a tare of 1 µm at each speed.
+Curve at 4000 rpm: that of the spindle as identified in the thesis, whose model agrees with the
+measured one within 0.48 µm in the mean (D. Noël, doctoral thesis, 2013, table 3.7, figure 3.27).
+``story_*``: the falling branch alone, with more points.
 """
 
 from __future__ import annotations

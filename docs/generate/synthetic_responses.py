@@ -1,9 +1,9 @@
-"""Writes the responses that cases/identification/grinding_spindle_taps.yaml reads: a spindle tapped
-by computation, at rest and at 6000 rpm.
+"""Writes the synthetic responses of cases/identification/grinding_spindle_taps.yaml: computed tap
+tests of a spindle, at rest and at 6000 rpm.
 
-The machine is the grinding spindle of the library, made otherwise in seven numbers (``TRUE``). Real
-and imaginary part of every sample have noise of 2 % of its size; the coherence says so for ten
-averages.
+The machine is the grinding spindle of the library with the changed values ``TRUE``. Real and
+imaginary part of every sample have noise of 2 % of its amplitude; the coherence is that of this
+noise for ten averages.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ TRUE = {
     "spindle.bearings.d.damping.radial": "350 N s/m",
 }
 FREQUENCY = np.arange(300.0, 2201.0, 8.0)
-PORTS = ("nose", "pulley")  # of the responses; the hammer hits the nose
+PORTS = ("nose", "pulley")  # of the responses; the impact is at the nose
 NOISE, AVERAGES = 0.02, 10
 RPM = np.pi / 30.0
 
@@ -62,7 +62,7 @@ def write_uff(path: Path, values: list[np.ndarray]) -> None:
             {
                 "type": 58,
                 "func_type": 4,
-                "id1": f"{point}.y / nose.y, twin of a grinding spindle",
+                "id1": f"{point}.y / nose.y, synthetic, grinding spindle",
                 "rsp_node": number,
                 "rsp_dir": 2,
                 "ref_node": 1,
@@ -90,7 +90,7 @@ def write_csv(path: Path, values: list[np.ndarray]) -> None:
     coherence = 1.0 / (1.0 + 2.0 * AVERAGES * NOISE**2)
     pairs = [f"{point}.y / nose.y" for point in PORTS]
     head = [f"{pair} {part} [um/N]" for pair in pairs for part in ("real", "imaginary")]
-    lines = ["# twin of a grinding spindle at 6000 rpm, ten averages"]
+    lines = ["# synthetic data of a grinding spindle at 6000 rpm, ten averages"]
     lines.append(",".join(["frequency [Hz]", *head, "coherence"]))
     for k, frequency in enumerate(FREQUENCY):
         cells = [f"{part * 1e6:.5g}" for one in values for part in (one[k].real, one[k].imag)]

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Random stepped rotors identified from their own noisy responses:
-python -m benchmarks.rotor_twins [--count N] [--first K]
+"""Random stepped rotors identified from synthetic noisy responses:
+python -m benchmarks.synthetic_rotors [--count N] [--first K]
 
 Each rotor has eight sections, a disc and two damped supports; six diameters and both dampings are
-unknown, begun up to 20 % off and at a third to three times their value. Responses of three points
-at rest and at two speeds, 2 % noise in real and imaginary part of every sample. How far off are all
-frequencies of the band at speeds that were not measured? And is a wrong model found out: one that
-lacks a joint the rotor has, one with two sections made one, fits of one mode too few and too many?
+unknown, with starting values up to 20 % off and of a third to three times their value. Responses
+are at three points, at rest and at two speeds, with 2 % noise in real and imaginary part of every
+sample. The results are: errors of all frequencies of the band at speeds that were not measured, and
+whether wrong models are detected: one without a joint of the rotor, one with two sections merged,
+fits with one mode too few and too many.
 """
 
 from __future__ import annotations
@@ -51,7 +52,7 @@ MODES = 5  # of the rotor at rest, in the band
 
 
 @dataclass(frozen=True, eq=False)
-class Twin:
+class RandomRotor:
     """A rotor, its unknown sections by place, its band [Hz] and top speed [rad/s]."""
 
     spindle: Spindle
@@ -73,7 +74,7 @@ class Twin:
         """A case of a spindle in this band."""
         speeds = tuple(self.top * share for share in sorted({*MEASURED, *OTHERS}))
         return rotordyn.Case(
-            "twin", "twin", speeds, {"campbell": CampbellSpec(self.band[1])}, spindle=spindle
+            "rotor", "rotor", speeds, {"campbell": CampbellSpec(self.band[1])}, spindle=spindle
         )
 
 
@@ -81,7 +82,7 @@ def _diameter(k: int) -> str:
     return f"spindle.shaft.sections.s{k}.outer_diameter"
 
 
-def twin(rng: np.random.Generator) -> Twin:
+def random_rotor(rng: np.random.Generator) -> RandomRotor:
     """A random rotor."""
     length = rng.uniform(0.04, 0.12, SECTIONS)
     outer = rng.uniform(0.03, 0.07, SECTIONS)
@@ -101,7 +102,7 @@ def twin(rng: np.random.Generator) -> Twin:
     width = 0.5 * float(np.median(outer))
     size = float(rng.uniform(2.0, 3.5) * outer.max())
     spindle = Spindle(
-        "twin",
+        "rotor",
         Shaft(0.0, sections),
         discs=(Disc("disc", disc, size, float(outer.max()), width, STEEL),),
         supports=supports,
@@ -115,7 +116,7 @@ def twin(rng: np.random.Generator) -> Twin:
     )
     unknown = tuple(sorted(rng.permutation(SECTIONS)[: SECTIONS - KNOWN].tolist()))
     band = 0.4 * still[0], float(np.sqrt(still[MODES - 1] * still[MODES]))
-    return Twin(spindle, unknown, band, top)
+    return RandomRotor(spindle, unknown, band, top)
 
 
 def _support(name: str, x: float, stiffness: float) -> LinearSupport:
@@ -124,13 +125,13 @@ def _support(name: str, x: float, stiffness: float) -> LinearSupport:
 
 
 def _damped(support: LinearSupport, ratio: float, hertz: float) -> LinearSupport:
-    """With a damping that takes a loss of 2 × ``ratio`` of its stiffness at a frequency."""
+    """With the damping that gives a loss factor of 2 × ``ratio`` at a frequency."""
     size = float(2.0 * ratio * float(np.min(support.stiffness["y", "y"])) / (2.0 * np.pi * hertz))
     return replace(support, damping={("y", "y"): size, ("z", "z"): size})
 
 
 def _frequencies(spindle: Spindle, speed: float, highest: float) -> Array:
-    """|λ|/2π of all whirls that swing, ascending [Hz]."""
+    """|λ|/2π of all oscillating whirl modes, ascending [Hz]."""
     scene = Scene(spindle, Conditions(), np.array([speed]), highest)
     pole = scene.system(scene.with_motions(("bending",))[0]).pole[0]
     swings = pole[pole.imag > 1e-3 * np.abs(pole)]
@@ -138,7 +139,7 @@ def _frequencies(spindle: Spindle, speed: float, highest: float) -> Array:
     return found[found < highest]
 
 
-def measured(of: Twin, spindle: Spindle, rng: np.random.Generator) -> Responses:
+def measured(of: RandomRotor, spindle: Spindle, rng: np.random.Generator) -> Responses:
     """Responses of a spindle with noise."""
     frequency = np.linspace(*of.band, LINES)
     nothing, tip = (1.0,) * LINES, Port("tip", "y")
@@ -162,9 +163,9 @@ def _noisy(one: MeasuredResponse, values: Any, rng: np.random.Generator) -> Meas
 
 
 def problem(
-    of: Twin, responses: Responses, begin: Mapping[str, float], spindle: Spindle
+    of: RandomRotor, responses: Responses, begin: Mapping[str, float], spindle: Spindle
 ) -> Problem:
-    """What is sought of a spindle, from where."""
+    """The unknowns of a spindle and their starting values."""
     asked = {}
     for path, value in of.true.items():
         if "damping" in path:
@@ -176,8 +177,8 @@ def problem(
     return Problem(case, sought(case, asked), (responses,))
 
 
-def start(of: Twin, rng: np.random.Generator) -> dict[str, float]:
-    """Where a search begins."""
+def start(of: RandomRotor, rng: np.random.Generator) -> dict[str, float]:
+    """Starting values of a search."""
     return {
         path: value * float(rng.uniform(1.0 / DAMPED, DAMPED))
         if "damping" in path
@@ -186,7 +187,7 @@ def start(of: Twin, rng: np.random.Generator) -> dict[str, float]:
     }
 
 
-def errors(of: Twin, found: rotordyn.Case) -> Array:
+def errors(of: RandomRotor, found: rotordyn.Case) -> Array:
     """Relative errors of all frequencies of the band at speeds that were not measured."""
     assert found.spindle is not None
     every = []
@@ -200,13 +201,13 @@ def errors(of: Twin, found: rotordyn.Case) -> Array:
 
 
 def insufficient(of: Problem, fit: Fit) -> bool:
-    """Whether the verdict finds the model out."""
+    """Whether the criterion rejects the model."""
     residuals = [w.residual(p) for w, p in zip(of.weighings, fit.predicted, strict=True)]
     criterion = FitCriterion.of(None, of.measurements)
     return bool(criterion.excess(of, residuals, certainty(of, fit)))
 
 
-def jointed(of: Twin, rng: np.random.Generator) -> Spindle:
+def jointed(of: RandomRotor, rng: np.random.Generator) -> Spindle:
     """With a joint behind the second to fourth section that tilts as half a diameter of shaft."""
     k = int(rng.integers(2, 5))
     sections = of.spindle.shaft.sections
@@ -217,8 +218,8 @@ def jointed(of: Twin, rng: np.random.Generator) -> Spindle:
     return replace(of.spindle, joints=(joint,))
 
 
-def merged(of: Twin) -> Spindle:
-    """The known section with its neighbour in front of the disc made one of mean diameter."""
+def merged(of: RandomRotor) -> Spindle:
+    """The known section and its neighbour in front of the disc merged, with mean diameter."""
     sections = list(of.spindle.shaft.sections)
     known = next(k for k in range(SECTIONS) if k not in of.unknown)
     k = min(known, SECTIONS - 2)
@@ -230,7 +231,7 @@ def merged(of: Twin) -> Spindle:
 
 
 def orders(responses: Responses) -> tuple[int, int, int]:
-    """Speeds at which a fit of one mode less is found out by its evidence, one more, and all."""
+    """Speeds at which the evidence rejects one mode less, one mode more, and all speeds."""
     fewer = more = 0
     for speed, fit in responses.modes.items():
         count = len(fit.best.fit.pole)
@@ -247,7 +248,7 @@ def orders(responses: Responses) -> tuple[int, int, int]:
 def outcome(number: int) -> dict[str, Any]:
     """One rotor identified, and its wrong models."""
     rng = np.random.default_rng((58, number))
-    of = twin(rng)
+    of = random_rotor(rng)
     begin = start(of, rng)
     clock = time.process_time()
     responses = measured(of, of.spindle, rng)
@@ -262,7 +263,7 @@ def outcome(number: int) -> dict[str, Any]:
     lacking = problem(of, measured(of, jointed(of, rng), rng), reached, of.spindle)
     coarse = problem(of, responses, reached, merged(of))
     return {
-        "twin": number,
+        "number": number,
         "frequencies": len(error),
         "worst": float(error.max()),
         "off": (fit.values / true - 1.0).tolist(),
@@ -271,16 +272,16 @@ def outcome(number: int) -> dict[str, Any]:
         "refused": insufficient(right, fit),
         "machines": right.evaluations,
         "seconds": seconds,
-        "joint found out": insufficient(lacking, search(lacking, lacking.start)),
-        "section found out": insufficient(coarse, search(coarse, coarse.start)),
-        "fewer found out": fewer,
-        "more found out": more,
+        "joint detected": insufficient(lacking, search(lacking, lacking.start)),
+        "section detected": insufficient(coarse, search(coarse, coarse.start)),
+        "fewer detected": fewer,
+        "more detected": more,
         "speeds": speeds,
     }
 
 
 def main() -> None:
-    """Identify rotors as the command line says, and keep what they came to."""
+    """Identify rotors as the command line says, and keep the results."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
@@ -301,15 +302,15 @@ def main() -> None:
         for key in (
             "frequencies",
             "refused",
-            "joint found out",
-            "section found out",
-            "fewer found out",
-            "more found out",
+            "joint detected",
+            "section detected",
+            "fewer detected",
+            "more detected",
             "speeds",
         )
     }
     keep(
-        rotor_twins={
+        synthetic_rotors={
             "rotors": len(found),
             **summed,
             "worst": max(each["worst"] for each in found),
