@@ -160,8 +160,8 @@ class Responses(AsksNothing):
         for one in responses:
             if fault := self._turned(one):
                 raise InvalidInput(
-                    f"measurement {self.name}: {one.pair} at {_rpm(speed)} is no driving point: "
-                    f"{fault}"
+                    f"measurement {self.name}: {one.pair} at {_rpm(speed)} is not that of a "
+                    f"driving point: {fault}"
                 )
         omega = 2.0 * np.pi * np.array(responses[0].frequency)
         with linear_algebra_alone():

@@ -85,7 +85,7 @@ def test_noise_alone_is_no_response(taps: Responses) -> None:
     ("turned", "sentence"),
     [
         (np.conj, r"imaginary part is positive: sign convention e\^\{−iωt\}"),
-        (np.negative, "a sensor against the force"),
+        (np.negative, "a sensor opposite to the force"),
     ],
 )
 def test_signs_of_driving_points_are_told(
@@ -95,7 +95,9 @@ def test_signs_of_driving_points_are_told(
     one = next(r for r in taps.responses if r.speed == speed and r.response == r.excitation)
     values = turned(np.array(one.real) + 1j * np.array(one.imaginary))
     wrong = replace(one, real=tuple(values.real.tolist()), imaginary=tuple(values.imag.tolist()))
-    with pytest.raises(InvalidInput, match=rf"tip\.y at .* rpm is no driving point: .*{sentence}"):
+    with pytest.raises(
+        InvalidInput, match=rf"tip\.y at .* rpm is not that of a driving point: .*{sentence}"
+    ):
         assert Responses(name="taps", responses=(wrong,), noise=0.02).data
     across = replace(wrong, response=replace(wrong.response, point="tail"))
     assert not Responses(name="taps", responses=(across,), noise=0.02)._turned(across)
