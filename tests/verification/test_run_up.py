@@ -430,7 +430,9 @@ def test_a_pole_on_the_end_of_a_part_is_the_limit_of_poles_beside():
 def test_a_run_that_begins_without_steady_motion_says_so():
     """At a critical speed without damping; the other one passes it."""
     _, found = undamped(1.0, 2.0, run_up=(0.5,), run_down=(0.5,))
-    assert found.run_outcome[0].startswith("it begins where there is no steady motion (a critical")
+    assert found.run_outcome[0].startswith(
+        "it begins where there is no steady motion (an undamped critical"
+    )
     assert np.isnan(found.run_peak[0]).all()
     assert found.run_outcome[1] == ""
     assert 0.0 < found.run_peak[1, 0] < 1e-4
