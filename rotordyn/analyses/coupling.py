@@ -25,7 +25,7 @@ Complex = NDArray[np.complex128]
 Indices = NDArray[np.intp]
 LOST = 1e-11  # of a receptance: a smaller difference is rounding
 UNRESPONSIVE = (
-    "the tip of the blank does not respond to the base, whose receptance then stays unknown: take "
+    "the tip of the blank does not respond to the base, whose receptance is then unknown: take "
     "a shorter or stiffer blank"
 )
 NOISE_ALONE = 0.7  # share of noise from which errors are half of the base and more
@@ -62,7 +62,7 @@ def couple(tool: Ends, base: Complex, joint: Complex | None = None) -> Complex:
         tip = np.full_like(base, np.nan)
     if not np.isfinite(tip).all():
         raise InvalidInput(
-            "tool and base resonate without damping at one of the frequencies: give damping"
+            "tool and base have an undamped resonance at one of the frequencies: give damping"
         )
     return tip
 
@@ -124,15 +124,14 @@ def _refuse_noise(noise: float, tool: Ends, tip: Complex, base: Complex) -> None
     within = np.abs(np.linalg.eigvals(np.abs(inverse) @ np.abs(tip))).max(axis=1)
     if noise * np.median(within) >= NOISE_ALONE:
         raise InvalidInput(
-            "the blank is as stiff as the spindle, by which its responses change no more than by "
-            f"their noise of {noise:.2%}: take a shorter blank, or measure with less noise"
+            "the blank is as stiff as the spindle, which changes its responses no more than "
+            f"their noise of {noise:.2%} does: take a shorter blank, or measure with less noise"
         )
     larger = np.diagonal(_amplified(tool, tip, base), axis1=1, axis2=2)
     if noise * np.median(larger, axis=0).min() >= NOISE_ALONE:
         raise InvalidInput(
-            f"the blank is so soft that its joint is known no better than by the {noise:.2%} of "
-            "noise of its responses, which hides the spindle: take a shorter or thicker blank, or "
-            "measure with less noise"
+            f"the blank is so flexible that the noise of {noise:.2%} of its responses hides the "
+            "spindle: take a shorter or thicker blank, or measure with less noise"
         )
 
 
@@ -391,9 +390,9 @@ def _refuse_unlike(tool: Ends, other: Complex) -> None:
     for matrix in (*tool, other):
         if matrix.shape != other.shape or matrix.ndim != 3 or matrix.shape[1] != matrix.shape[2]:
             raise InvalidInput(
-                f"receptances of unlike size: given {matrix.shape} and {other.shape}; allowed: "
+                f"receptances of different size: given {matrix.shape} and {other.shape}; allowed: "
                 "(f, n, n) for all, of the same frequencies and the same directions at tip, joint "
                 "and base"
             )
         if not (np.abs(matrix) < LARGEST).all():
-            raise InvalidInput("a receptance is no finite number: leave out its frequency")
+            raise InvalidInput("a receptance is not a finite number: leave out its frequency")

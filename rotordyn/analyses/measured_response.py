@@ -93,8 +93,8 @@ class MeasuredResponse(Description):
         if len(set(counts)) > 1 or counts[0] < 2:
             yield (
                 ("file",),
-                "frequency, real and imaginary: at least two values, as many in each: given "
-                f"{', '.join(map(str, counts))}",
+                "frequency, real and imaginary: at least two values, the same number in each: "
+                f"given {', '.join(map(str, counts))}",
             )
         for _, sentence in ascending("frequency", self.frequency):
             yield ("file",), f"frequency: {sentence}"
@@ -114,7 +114,7 @@ def out_of_range(frequency: Sequence[float], values: Iterable[complex], unit: st
     if size < low or size > high:
         at = frequency[sizes.index(size)]
         return (
-            f"response out of range: the largest given {size:.3g} {unit} at {at:.6g} Hz; "
+            f"response out of range: its largest value is {size:.3g} {unit} at {at:.6g} Hz; "
             f"allowed: {low:.0e} to {high:.0e} {unit}"
         )
     return ""

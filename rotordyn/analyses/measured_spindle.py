@@ -37,17 +37,18 @@ class MeasuredSpindle(Description):
     responses: Annotated[
         tuple[MeasuredResponse, ...],
         Items(),
-        "measured responses at the front point, between it and a point behind, and at "
-        "that point; in y, or in y and z",
+        "measured responses at the front point, between it and a point behind it, and at "
+        "the point behind; in y, or in y and z",
     ]
     modes: Annotated[
         Annotated[int, Whole(1, 60)] | None,
-        "number of modes fitted to the responses, which averages noise; by default as many "
-        "as the noise leaves",
+        "number of modes fitted to the responses, which averages noise; by default as many as "
+        "are distinct from the noise",
     ] = None
     blank: Annotated[
         Tool | None,
-        "name or path of what was clamped into the nose for the measurement, and is taken off",
+        "name or path of the blank clamped into the nose for the measurement, which the "
+        "analysis uncouples",
     ] = None
 
     loss_factor: Annotated[
@@ -90,7 +91,7 @@ class MeasuredSpindle(Description):
             if direction != other or direction not in PLANES:
                 yield (
                     ("responses", index),
-                    f"coupling takes motion and force in one direction across the axis: given "
+                    f"coupling needs motion and force in one direction across the axis: given "
                     f"'{measured.pair}'; allowed: both in y, or both in z",
                 )
 
@@ -99,7 +100,7 @@ class MeasuredSpindle(Description):
             if measured.speed:
                 yield (
                     ("responses", index, "speed"),
-                    "coupling takes what was measured at rest: given {given}; leave speed out, or "
+                    "coupling needs responses measured at rest: given {given}; leave speed out, or "
                     "measure at rest",
                 )
 
@@ -132,7 +133,7 @@ class MeasuredSpindle(Description):
                 active = True
                 yield (
                     ("responses", index[id(measured)]),
-                    f"{measured.pair} is no driving point: {fault}",
+                    f"{measured.pair} is not that of a driving point: {fault}",
                 )
         if active:
             return
@@ -142,9 +143,9 @@ class MeasuredSpindle(Description):
             if measured.response.direction == plane and share > APART:
                 yield (
                     ("responses", index[id(measured)]),
-                    f"{measured.pair} and {other.pair} differ by {share**0.5:.0%}, which at rest "
-                    "are one by reciprocity: look whether a file is that of another point, or "
-                    "give one",
+                    f"{measured.pair} and {other.pair} differ by {share**0.5:.0%}, but are equal "
+                    "at rest by reciprocity: check whether a file is that of another point, or "
+                    "give only one",
                 )
         cross = [ends for ends in by_ends if ends[0] != ends[1]]
         ports = [(name, name) for name in cross[0]] if len(cross) == 1 else []
@@ -153,8 +154,9 @@ class MeasuredSpindle(Description):
             if share > EXCESS:
                 yield (
                     ("responses", index[id(by_ends[cross[0]])]),
-                    f"together with the responses at {' and '.join(cross[0])} it is that of no "
-                    f"passive structure: files of points or directions look exchanged in {plane}",
+                    f"together with the responses at {' and '.join(cross[0])} it is not that of a "
+                    f"passive structure: check whether files of points or directions in {plane} "
+                    "are exchanged",
                 )
 
     def _blank(self, blank: Tool) -> Faults:
@@ -185,7 +187,11 @@ class MeasuredSpindle(Description):
     def faults_on(self, spindle: Spindle) -> Faults:
         """Faults of the machine whose tool is coupled to the measured spindle."""
         if not spindle.shaft.start < NOSE - SLACK:
-            yield (), "no tool to couple to it: give tool, or tools, of the case"
+            yield (
+                (),
+                "there is no tool to couple to the measured spindle: give tool, or tools, of the "
+                "case",
+            )
             return
         masses = tuple(mass for mass in spindle.masses if mass.x <= NOSE)
         joints = tuple(joint for joint in spindle.joints if joint.x < NOSE - SLACK)
@@ -228,13 +234,14 @@ def uncoupled(
     if masses:
         yield (
             path,
-            f"coupling knows no point masses on a tool: given {len(masses)}; allowed: sections, "
-            "with mean_density, and a joint at x = 0",
+            f"coupling does not model point masses on a tool: given {len(masses)}; allowed: "
+            "sections, with mean_density, and a joint at x = 0",
         )
     if inner:
         yield (
             path,
-            f"coupling knows no joint within a tool: given {', '.join(inner)}; allowed: x = 0",
+            f"coupling does not model a joint within a tool: given {', '.join(inner)}; allowed: x "
+            "= 0",
         )
 
 

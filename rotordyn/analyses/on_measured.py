@@ -44,7 +44,7 @@ HIDDEN = 0.7  # of the tip: error by noise from which on the blank hides the spi
 SURE = 3.0  # standard deviations of the noise, beyond which a tip is not passive
 ACTIVE = 0.01  # of the tip: positive imaginary part that is reported
 UNSUITABLE = (
-    "the blank is as stiff as the spindle, or so soft that its own flexibility hides it: take a "
+    "the blank is as stiff as the spindle, or so flexible that it hides the spindle: take a "
     "shorter blank, or a thicker one"
 )
 CLOSE = "take points farther apart, or a blank"
@@ -125,8 +125,8 @@ class OnMeasured:
         doubts, fit, omega = [], self.fits[plane], self.omega
         if fit.at_most:
             doubts.append(
-                f"the {len(fit.fit.pole)} modes fitted are the most that are tried, which may be "
-                "noise: give modes, or look whether the responses are those of a linear structure"
+                f"{len(fit.fit.pole)} modes, the largest number tried, are fitted, and some may be "
+                "noise: give modes, or check whether the responses are those of a linear structure"
             )
         if too_few := self._too_few_modes(plane):
             doubts.append(too_few)
@@ -136,7 +136,7 @@ class OnMeasured:
         if share > ACTIVE:
             hertz = omega[positive.argmax()] / (2.0 * math.pi)
             doubts.append(
-                f"the tip is that of no passive structure, by {100.0 * share:.0f} % of its "
+                f"the tip is not that of a passive structure, by {100.0 * share:.0f} % of its "
                 "size and most at "
                 f"{hertz:.5g} Hz: check gains and delays of the channels, and the blank"
             )
@@ -165,7 +165,7 @@ class OnMeasured:
             return ""
         cause = CLOSE if self.measured.blank is None else UNSUITABLE
         return self._too_few_modes(plane) or (
-            f"the noise of the responses makes {100.0 * share:.0f} % of the tip of the tool: "
+            f"the noise of the responses causes an error of {100.0 * share:.0f} % at the tip: "
             f"{cause}, or "
             "measure with less noise"
         )
@@ -178,9 +178,9 @@ class OnMeasured:
         if best.misfit > FEW * fit.misfit:
             return ""
         return (
-            f"modes: given {self.measured.modes}, which leave a misfit of "
+            f"modes: given {self.measured.modes}, with a misfit of "
             f"{100.0 * fit.misfit:.2f} % to the "
-            f"responses ({len(best.fit.pole)} leave {100.0 * best.misfit:.2f} %): raise "
+            f"responses ({len(best.fit.pole)} have {100.0 * best.misfit:.2f} %): raise "
             "modes, or leave it "
             "out"
         )

@@ -16,9 +16,9 @@ APART = 0.1  # of the energy: tolerance between two responses that are reciproca
 CAUSES: tuple[tuple[Callable[[complex], complex], str], ...] = (
     (
         lambda value: value.conjugate(),
-        "its imaginary part is positive: sign convention e^{−iωt}, a sensor against the force, or "
-        "an inertance called receptance: change the sign of the imaginary column, or of both, or "
-        "name the quantity",
+        "its imaginary part is positive: sign convention e^{−iωt}, a sensor opposite to the force, "
+        "or an inertance declared as receptance: change the sign of the imaginary column, or of "
+        "both, or name the quantity",
     ),
     (
         lambda value: complex(value.imag, value.real),
@@ -31,13 +31,13 @@ CAUSES: tuple[tuple[Callable[[complex], complex], str], ...] = (
     ),
     (
         lambda value: 1j * value,
-        "it has the phase of a mobility with sign convention e^{−iωt}, or of an inertance called "
-        "mobility: change the sign of the imaginary column, or name the quantity",
+        "it has the phase of a mobility with sign convention e^{−iωt}, or of an inertance declared "
+        "as mobility: change the sign of the imaginary column, or name the quantity",
     ),
 )
 NO_DRIVING_POINT = (
-    "a force would take power from the structure there at times: look whether the files of other "
-    "points or directions were exchanged"
+    "a force would extract power from the structure there: check whether the files of other "
+    "points or directions are exchanged"
 )
 FACTORS = {"receptance": 1.0, "mobility": -1j, "inertance": -1.0}  # to the phase of a receptance
 POWERS = {"receptance": 1, "mobility": 0, "inertance": -1}  # of ω, to the size of a mobility
@@ -66,9 +66,9 @@ def fault_at_driving_point(
 def misnamed(quantity: str) -> str:
     """Sentence on a response declared as another quantity: several mistakes have one symptom."""
     return (
-        f"it takes power from the structure as {quantity}: look whether it is another quantity, a "
-        "sensor stood against the force, the sign convention is e^{−iωt}, or real and imaginary "
-        "columns are exchanged"
+        f"as {quantity} it extracts power from the structure: check whether it is another "
+        "quantity, a sensor is opposite to the force, the sign convention is e^{−iωt}, or real and "
+        "imaginary columns are exchanged"
     )
 
 

@@ -94,7 +94,7 @@ def _loaded(entry: EntryPoint) -> Analysis:
     else:
         if isinstance(record, Analysis) and record.name == entry.name:
             return record
-        why = f"{entry.value} is not an Analysis of that name"
+        why = f"{entry.value} is not an Analysis named {entry.name}"
     raise Unusable(
         f"the analysis {entry.name} of the package {package} cannot be loaded ({why}): "
         "repair or uninstall that package"

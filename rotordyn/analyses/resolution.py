@@ -38,9 +38,9 @@ def beyond_elements(
             of_rotation = math.isclose(2.0 * math.pi * highest, fastest)  # a force of the rotation
             in_rpm = f" ({fastest * RPM.factor:.0f} rpm)" if of_rotation else ""
             yield (
-                f"{name} goes up to {highest:.6g} Hz{in_rpm}, and an element of "
-                f"{mesh.length.max() * 1e3:.4g} mm carries bending up to {limit:.4g} Hz, half a "
-                "wave: allowed: shorter elements, or accuracy instead"
+                f"{name} goes up to {highest:.6g} Hz{in_rpm}, but an element of "
+                f"{mesh.length.max() * 1e3:.4g} mm resolves bending up to {limit:.4g} Hz only "
+                "(half a wavelength): allowed: shorter elements, or accuracy instead"
             )
 
 

@@ -19,6 +19,6 @@ def unlimited(spindle: Spindle, analyses: Mapping[str, Any]) -> Iterator[str]:
     if forced and undamped(spindle):
         keys = "damping.rotor, " + "damping.bearings, " * bool(spindle.seats)
         yield (
-            f"{' and '.join(forced)}: nothing in the machine is damped, so that responses have no "
-            f"limit at its modes and their peaks mean nothing: give {keys}or damping of supports"
+            f"{' and '.join(forced)}: the machine is undamped, so that responses are unbounded at "
+            f"its modes and their peaks mean nothing: give {keys}or damping of supports"
         )

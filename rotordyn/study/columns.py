@@ -139,7 +139,7 @@ def scatter(
     controls = [
         Control(word, names, start=at) for word, at in zip(("across", "up"), start, strict=True)
     ]
-    note = "Choose two numbers to see what one costs in the other; point at a mark."
+    note = "Choose two numbers to see their trade-off; move the pointer over a mark for its values."
     return Chart("Trade-off", traces, layout, controls, note=note, wide=True, tall=480)
 
 
@@ -176,7 +176,7 @@ def parallel_coordinates(
     }
     layout = {"margin": {"l": SIDES, "r": SIDES, "t": 120, "b": 30}}
     least_width = LEAST * (len(chosen) - 1) + 2 * SIDES
-    note = f"Drag along an axis to keep the points within; colour follows {colour.heading}."
+    note = f"Drag along an axis to select points; colour follows {colour.heading}."
     if lacking := [each.heading for each in shown if not any(each is kept for kept in complete)]:
         note += f" Without an axis, since not every point has it: {', '.join(lacking)}."
     if missing := int((solved & ~drawn).sum()):

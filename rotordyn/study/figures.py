@@ -286,7 +286,7 @@ def _parallel_coordinates(study: Study, shown: list[Shown]) -> Figure:
         k: [*dict.fromkeys(p.labels)] for k, p in enumerate(design.parameters) if not p.numeric
     }
     axes_of += [(each.heading, each.values) for each in shown]
-    title = "points across what was varied and what came of it, coloured by the last axis"
+    title = "points across varied values and results, coloured by the last axis"
     figure = new_figure(height=100.0, title=title)
     axes = add_axes(figure, (16.0, 34.0, 136.0, 52.0))
     from matplotlib import colormaps

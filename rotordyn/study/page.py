@@ -78,7 +78,9 @@ def _require_files(folder: Path) -> None:
     """Raise InvalidInput where a pipe or a device stands in ``folder``: reading it may not end."""
     for path in folder.iterdir() if os.path.isdir(folder) else ():
         if path.exists() and not (path.is_file() or path.is_dir()):
-            raise InvalidInput(f"{path} is no regular file, which no results folder holds")
+            raise InvalidInput(
+                f"{path} is not a regular file, as all files of a results folder are"
+            )
 
 
 def _read(folder: Path) -> StudyFolder:

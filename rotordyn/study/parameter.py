@@ -165,7 +165,7 @@ def _spanned(case: Case, path: str, span: Span) -> Parameter:
     (low, quantity), (high, _) = (_taken(case, path, end) for end in (span.low, span.high))
     numbers = [v for v in (low, high) if isinstance(v, float | int) and not isinstance(v, bool)]
     if len(numbers) < 2 or not all(map(math.isfinite, numbers)):
-        raise InvalidInput(f"{path}: holds no numbers, so that a span has no sense: list values")
+        raise InvalidInput(f"{path}: holds no numbers, so that a span is impossible: list values")
     if not low < high:
         given = [quantity.written(v) if quantity else f"{v:g}" for v in (low, high)]
         raise InvalidInput(f"{path}: a span goes from low to high, got {given[0]} to {given[1]}")
@@ -187,7 +187,8 @@ def _spanned(case: Case, path: str, span: Span) -> Parameter:
         values = tuple(sorted({round(value) for value in few}))
     elif not spread.resolved:
         raise InvalidInput(
-            f"{path}: {span.count} points of this span are closer than 15 digits tell: take fewer"
+            f"{path}: {span.count} points of this span are closer than 15 digits resolve: take "
+            "fewer"
         )
     return Parameter(path, values, values, ends, quantity, whole, span.log)
 

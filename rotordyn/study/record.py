@@ -89,7 +89,7 @@ def begun(path: Path, kind: str, signature: str, what: str) -> list[dict[str, An
 
 def unreadable(path: Path, what: str) -> InvalidInput:
     """Return the error for lines of another format."""
-    return InvalidInput(f"{path}: is no record of {what}: choose another folder")
+    return InvalidInput(f"{path}: is not a record of {what}: choose another folder")
 
 
 def add(path: Path, line: Mapping[str, Any]) -> None:

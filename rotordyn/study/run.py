@@ -38,7 +38,7 @@ def run(
         uncertainties = [asked_of(each) for each in case.variants.values() or (case,)]
         if not any(each.hypotheses or each.tolerances or each.steps for each in uncertainties):
             raise InvalidInput(
-                "interval: nothing that is uncertain changes this case: name hypotheses or "
+                "interval: no uncertain value changes this case: name hypotheses or "
                 "tolerances of what it gives"
             )
     solution = job.run(case, progress).solution

@@ -217,7 +217,7 @@ def _too_long(journal: Journal, count: int, left: int, seconds: float, workers: 
         f"the study has {count} points, {left} of them to solve: about {_long(seconds)} with "
         f"{workers} worker{'s' * (workers > 1)}, {_large(KEPT * size * count)} on disk "
         f"({_large(journal.room)} are free) and {_large(HELD * size * count)} of memory at its "
-        "end; say yes to that (--yes), or take fewer points"
+        "end; confirm it (--yes), or take fewer points"
     )
 
 

@@ -106,8 +106,9 @@ def _errors(outcomes: Outcomes) -> Iterator[str]:
     errors = [row.error for row in outcomes.values() if row.error]
     if errors:
         points = "point" if len(errors) == 1 else "points"
-        share = "more than" if max(errors) > 1.0 else f"at most {100.0 * max(errors):.0f} % of"
-        yield f"accuracy   errors by refinement, at {len(errors)} {points}: {share} what it allows"
+        part = "more than" if max(errors) > 1.0 else f"at most {100.0 * max(errors):.0f} % of"
+        at = f"at {len(errors)} {points}"
+        yield f"accuracy   errors by refinement, {at}: {part} the allowed error"
 
 
 def names(outcomes: Outcomes) -> dict[str, str]:

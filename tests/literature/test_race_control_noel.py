@@ -59,8 +59,8 @@ def test_published_conformities_have_no_boundary() -> None:
         found = control_map(
             VEX70, speed=THOUSANDS * 1e3 * RPM, lowest=10.0, highest=1e5, law=Law(kinematics)
         )
-        assert set(found.absence[0]) == {"inner race controls at no load that has a state"}
-        assert set(found.absence[1]) == {"outer race controls at every load that has a state"}
+        assert set(found.absence[0]) == {"inner race controls at no load that has a solution"}
+        assert set(found.absence[1]) == {"outer race controls at every load that has a solution"}
 
 
 @pytest.mark.long

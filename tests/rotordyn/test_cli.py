@@ -245,7 +245,7 @@ def test_lobes_of_a_machine_without_any_damping_are_refused_at_once(
     assert main(["check", str(path)]) == 2
     said = capsys.readouterr().err
     assert "case.yaml:5:" in said
-    assert "nothing in the machine is damped, so that no cut is stable: give damping.rotor" in said
+    assert "the machine is undamped, so that no cut is stable: give damping.rotor" in said
 
 
 def test_shipped_case_is_found_by_its_name(

@@ -79,7 +79,7 @@ def test_a_pipe_is_not_read(name: str, folder: Path, tmp_path: Path) -> None:
     os.mkfifo(copy / name)
     with pytest.raises(InvalidInput):
         rotordyn.open(copy)
-    with pytest.raises(InvalidInput, match="no regular file"):
+    with pytest.raises(InvalidInput, match="not a regular file"):
         rotordyn.write_report(copy, tmp_path / "page.html")
 
 

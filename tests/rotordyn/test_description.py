@@ -138,7 +138,7 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
     "support 'l' holds x rigidly beside bearings": lambda: spindle(
         supports=(LinearSupport("l", 0.1, rigid=("x",)),)
     ),
-    r"analyses.section_forces: nothing acts: allowed: at least one of loads": lambda: case(
+    r"analyses.section_forces: no load acts: allowed: at least one of loads": lambda: case(
         spindle=spindle(seats=(), sleeves=(), supports=(SUPPORT,)),
         analyses={"section_forces": SectionForcesSpec()},
     ),
@@ -208,7 +208,7 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
     r"FrfSpec: pairs: too few items": lambda: FrfSpec((1.0,), ()),
     r"pairs\.2: repeated": lambda: FrfSpec((1.0,), ((TIP, TIP),) * 2),
     r"pairs\.1: 2 items are needed: given 1": lambda: FrfSpec((1.0,), ((TIP,),)),
-    "nothing couples axial motion and bending": lambda: case(
+    "axial motion and bending are not coupled": lambda: case(
         analyses={"frf": FrfSpec((1.0,), ((Port("tip", "x"), TIP),))}
     ),
     "couples plane y or the axis to other motions .yz.": lambda: case(
@@ -216,7 +216,7 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
         analyses={"stiffness": StiffnessSpec("tip")},
     ),
     r"UnbalanceSpec: points: too few items": lambda: UnbalanceSpec((), (Unbalance("tip", 1e-6),)),
-    r"UnbalanceSpec: nothing is out of balance: allowed: at least one of unbalances": lambda: (
+    r"UnbalanceSpec: there is no unbalance: allowed: at least one of unbalances": lambda: (
         UnbalanceSpec(("tip",))
     ),
     r"points\.2: repeated: given 'tip'": lambda: UnbalanceSpec(

@@ -205,7 +205,7 @@ def test_a_single_bearing_says_how_far_its_raceways_give(tmp_path: Path) -> None
     assert found.shape == (4,)
     assert ((found > -5.0) & (found < 15.0)).all()
     assert found.max() > 3.0
-    assert "raceway gives" in result.summary
+    assert "raceway by" in result.summary
 
 
 REFUSED = {

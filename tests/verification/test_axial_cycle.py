@@ -251,7 +251,7 @@ def test_a_cycle_under_loads_across_the_axis_is_refused() -> None:
     loads = (PointLoad(at="nose_face", Fy=10.0),)
     setting = Setting(mfw2310(), conditions(loads=loads), (0.0,))
     ((_, sentence),) = AxialCycleSpec().faults_on(setting)
-    assert sentence.startswith("a cycle of axial force takes the bearings under axial load alone")
+    assert sentence.startswith("a cycle of axial force needs bearings under axial load alone")
 
 
 def test_cyclic_force_that_friction_holds() -> None:

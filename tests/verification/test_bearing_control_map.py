@@ -87,9 +87,10 @@ def test_at_rest_the_contacts_alone_decide(
     state = bearing.equilibrium(load=[1000.0, 0, 0, 0, 0])
     assert set(state.control) == {expected}
     found = mapped(bearing, speed=[0.0])
+    inner_at, outer_at = ("every", "no") if expected == "inner" else ("no", "every")
     assert found.absence[:, 0].tolist() == [
-        f"inner race controls at {'every' if expected == 'inner' else 'no'} load that has a state",
-        f"outer race controls at {'every' if expected == 'outer' else 'no'} load that has a state",
+        f"inner race controls at {inner_at} load that has a solution",
+        f"outer race controls at {outer_at} load that has a solution",
     ]
     assert np.isnan(found.boundary).all()
     assert (found.changes == 0).all()
@@ -108,8 +109,8 @@ def test_no_boundary_where_the_outer_race_has_the_larger_contact() -> None:
     """C < 1 at rest, and centrifugal force lowers it: the inner race never controls."""
     for kinematics in HYPOTHESES:
         found = mapped(VEX70, law=Law(kinematics))
-        assert set(found.absence[0]) == {"inner race controls at no load that has a state"}
-        assert set(found.absence[1]) == {"outer race controls at every load that has a state"}
+        assert set(found.absence[0]) == {"inner race controls at no load that has a solution"}
+        assert set(found.absence[1]) == {"outer race controls at every load that has a solution"}
         assert np.isnan(found.boundary).all()
         assert np.isnan(found.pressure).all()
 
@@ -246,6 +247,6 @@ def test_no_race_controls_balls_of_three_contacts() -> None:
         control == np.where(state.control[..., 0] == "neither", "", state.control[..., 0])
     ).all()
     assert np.isnan(found.boundary).all()
-    assert set(found.absence[0]) == {"inner race controls at every load with two contacts a ball"}
+    assert set(found.absence[0]) == {"inner race controls at every load with two contacts per ball"}
     third = mapped(bearing, speed=speed[2:], highest=2e3)
     assert (third.absence == "third contact").all()

@@ -228,7 +228,7 @@ def test_rotations_from_translations():
 
 def test_refusals():
     tool = beam(OMEGA, HOLDER)
-    with pytest.raises(InvalidInput, match="unlike size"):
+    with pytest.raises(InvalidInput, match="different size"):
         couple(tool, np.zeros((len(OMEGA), 4, 4), dtype=complex))
     with pytest.raises(InvalidInput, match="does not respond to the base"):
         uncouple(tool, tool.r11)
@@ -244,11 +244,11 @@ def test_refusals():
     ("given", "sentence"),
     [
         ({"base": None}, "arrays of complex numbers"),
-        ({"base": np.full((len(OMEGA), 2, 2), np.nan)}, "no finite number"),
+        ({"base": np.full((len(OMEGA), 2, 2), np.nan)}, "not a finite number"),
         ({"base": np.ones((len(OMEGA), 4, 4))}, "same directions"),
         ({"tool": "hsk"}, "couple: tool must be a Ends"),
         ({"joint": np.ones(3)}, r"joint: given shape \(3,\)"),
-        ({"tool": Ends(*[np.zeros((len(OMEGA), 2, 2))] * 4), "base": 0.0}, "resonate without"),
+        ({"tool": Ends(*[np.zeros((len(OMEGA), 2, 2))] * 4), "base": 0.0}, "undamped resonance"),
     ],
 )
 def test_refusals_of_couple(given, sentence):

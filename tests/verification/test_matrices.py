@@ -201,7 +201,7 @@ def test_a_speed_without_a_state_has_no_matrices() -> None:
 def test_what_grows_and_what_nothing_damps_is_warned_of() -> None:
     for name, speed, words in (
         ("friswell_oil_films", 3000.0, "unstable at 2 of 2 speeds, first at 2500 rpm"),
-        ("friswell_cross_coupled", 3000.0, "nothing in the machine is damped"),
+        ("friswell_cross_coupled", 3000.0, "the machine is undamped"),
     ):
         given = rotordyn.load(name)
         assert given.spindle is not None
@@ -274,7 +274,7 @@ def test_tables_and_dataset_tell_the_unit_of_every_port(tmp_path: Path) -> None:
         assert column == pytest.approx(known, rel=1e-6)
     with (tmp_path / "matrices_ports.csv").open(encoding="utf-8-sig", newline="") as file:
         motion = next(csv.reader(file))[-1]
-    assert motion == "motion of the port by the coordinate [1/√kg, rad/(m √kg)]"
+    assert motion == "motion of the port per unit of the coordinate [1/√kg, rad/(m √kg)]"
     assert data.stiffness.attrs["units"] == "s-2"
     assert data.damping.attrs["units"] == "s-1"
     assert "units" not in data.motion.attrs

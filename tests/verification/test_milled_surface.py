@@ -583,7 +583,7 @@ def test_forced_vibration_grows_without_bound_towards_a_fold():
         ({"helix": 2.0}, "helix: given 114.592°"),
         ({"entry": 2.0, "exit": 1.0}, "entry and exit"),
         ({"speed": 1e-4}, "harmonics of the teeth in the band"),
-        ({"runout": (1e-6,)}, r"runout: given \(1e-06,\); allowed: one to each of 2 teeth"),
+        ({"runout": (1e-6,)}, r"runout: given \(1e-06,\); allowed: one for each of 2 teeth"),
         ({"runout": (1e-6, math.nan)}, "runout must be numbers"),
     ],
 )
@@ -711,7 +711,7 @@ def test_without_a_cut_there_is_none_and_above_the_limit_it_is_not_stable(solved
 def test_words_numbers_and_figure(solved):
     found = lobes(solved(cut="{depth: 0.1 mm}", milling="slot", immersion=1.0))
     told = "\n".join(summary(found)).replace("\xa0", " ")
-    assert "cut        0.100 mm deep, 0.15 mm by tooth: stable at all 7 speeds" in told
+    assert "cut        0.100 mm deep, 0.15 mm per tooth: stable at all 7 speeds" in told
     assert "up-milled wall" in told
     assert "down-milled wall" in told
     named = {number.name: number.value for number in numbers(found, None)}  # type: ignore[arg-type]
@@ -798,7 +798,7 @@ def test_values_of_a_vibration_that_does_not_settle_are_no_headline_numbers(solv
         named = {number.name: number for number in numbers(restless, None)}  # type: ignore[arg-type]
         for name in ("surface error", "cutting power"):
             assert math.isfinite(named[name].value) == known
-            assert known or named[name].absent == "not settled"
+            assert known or named[name].absent == "not converged"
 
 
 def test_unlike_stable_speeds_are_not_compared(solved):
@@ -854,7 +854,7 @@ def test_a_wall_that_varies_has_both_ends_and_teeth_that_leave_the_work_are_said
     (told,) = (line for line in summary(found) if line.startswith("surface"))
     ends = re.findall(r"-?[\d.]+", told.replace("\xa0", " "))[:2]
     assert [float(each) for each in ends] == pytest.approx([least, most], abs=0.01)
-    assert not any("teeth leave the work" in each for each in warnings(found))
+    assert not any("teeth lose contact" in each for each in warnings(found))
     near = 1.3 * 4e-3  # a margin of 0.3 to the limit
     for field, value, depth, told in (
         ("contact_departure", 0.3, 8e-3, 1),
@@ -864,7 +864,7 @@ def test_a_wall_that_varies_has_both_ends_and_teeth_that_leave_the_work_are_said
         ("vibration_error", 0.02, 8e-3, 1),
     ):
         lost = replace(found, **{field: np.array([value]), "depth": np.array([depth])})
-        said = ["teeth leave the work at 1 of 1 speeds" in each for each in warnings(lost)]
+        said = ["teeth lose contact at 1 of 1 speeds" in each for each in warnings(lost)]
         assert sum(said) == told, (field, value, depth)
 
 
@@ -879,12 +879,10 @@ def test_run_out_of_a_case(solved):
     assert not any("run-out" in each for each in warnings(found))
     found = lobes(solved(cut="{depth: 1 mm, runout: [0 um, -0.2 mm]}"))
     assert found.idle_teeth == 1
-    assert (
-        sum("by their run-out 1 tooth takes off nothing" in each for each in warnings(found)) == 1
-    )
+    assert sum("by run-out 1 tooth removes no material" in each for each in warnings(found)) == 1
     pairs = lobes(solved(cut="{depth: 1 mm, runout: [0 um, -0.2 mm, 0 um, -0.2 mm]}", teeth=4))
     assert pairs.idle_teeth == 2
-    assert any("2 teeth take off nothing" in each for each in warnings(pairs))
+    assert any("2 teeth remove no material" in each for each in warnings(pairs))
     alone = lobes(solved(cut="{depth: 1 mm}", teeth=1))
     np.testing.assert_allclose(found.depth, alone.depth, rtol=1e-9)
     assert (np.abs(found.depth / plain.depth - 1.0) > 0.1).any()
@@ -912,7 +910,7 @@ def test_edge_forces_that_may_let_a_cut_chatter_are_warned_of(solved, changed, d
         error = next(each for each in numbers(found, None) if each.name == "surface error")
         assert np.isnan(error.value) == bool(told)
     assert f"at {found.edges_chatter.sum()} of 7 speeds" in said[0]
-    assert error.absent == "not settled"
+    assert error.absent == "not converged"
 
 
 def test_edges_and_process_damping_of_a_case_reach_the_planned_cut():

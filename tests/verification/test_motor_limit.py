@@ -114,7 +114,7 @@ def test_edges_of_a_planned_cut_take_their_part(solved):
     assert found.cutting_power[3] == pytest.approx(1e3, rel=1e-9)
     assert found.motor_depth == pytest.approx(first.motor_depth, rel=1e-12)
     over = solved(edges.replace("DEPTH", f"{1.001 * exact!r} m"))
-    told = [each for each in warnings(over) if "takes more than the motor gives" in each]
+    told = [each for each in warnings(over) if "needs more than the motor supplies" in each]
     assert len(told) == 1
     assert "(1 kW, 2 N m) at 1 of 4 speeds, first at 8000 rpm" in told[0]
     assert not [each for each in warnings(first) if "motor" in each]

@@ -125,9 +125,9 @@ def test_orbits_beyond_what_a_film_is_computed_for_are_reported() -> None:
     assert "squeeze film left film is 60 % of its clearance" in left
     small, _ = told(0.25e-5 / largest)
     assert "is 25 % of its clearance" in small
-    assert "comes out, from 25 % to 40 %" in small
+    assert "agrees with the orbit, from 25 % to 40 %" in small
     assert "computed for 40 %: try eccentricity_ratio: 60 %" in left
-    assert "no film allows that" in told(1.1e-5 / largest)[0]
+    assert "no film allows such an orbit" in told(1.1e-5 / largest)[0]
 
 
 @KINDS

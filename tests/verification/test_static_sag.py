@@ -297,7 +297,7 @@ def test_words_and_figure() -> None:
     assert not any("runout" in line for line in summary(bare))
     said = " ".join(summary(turned)).replace("\u00a0", " ")
     assert "y 5.71 z 5.71, y 7.43 z 7.43 300 mm in front" in said
-    assert "the sag does not turn" in said
+    assert "the sag does not rotate" in said
     heads = ["sag along the weight at 0 rpm [µm]", "slope along the weight at 0 rpm [µrad]"]
     heads.append("runout at 0 rpm [µm]")
     assert [n.heading for n in numbers(turned, None)] == heads  # type: ignore[arg-type]
@@ -305,7 +305,7 @@ def test_words_and_figure() -> None:
     assert warnings(turned) == []
     late = replace(turned, speed=np.array([100.0]), true_ring=("c", "d"), follows_speed=("c", "d"))
     given, slow = warnings(late)
-    assert "bearings c, d, which hold it as if they ran true" in given
+    assert "bearings c, d, which are assumed to run true" in given
     assert "slowest speed solved is 955 rpm" in slow
     (axes,) = line_figure([Shown("", turned, (), spindle)]).axes
     assert axes.get_ylabel() == "deflection y [µm]"
@@ -381,7 +381,10 @@ def test_by_default_the_weight_is_that_of_the_conditions(down: str, sag: tuple[i
 
 def test_a_weight_that_contradicts_the_conditions_or_is_held_by_nothing() -> None:
     for own, acting in (("-y", "+x"), ("none", "-y"), ("-z", "-y")):
-        spec, words = StaticSagSpec("nose", gravity=own), f"given '{own}' beside '.{acting[1]}'"
+        spec, words = (
+            StaticSagSpec("nose", gravity=own),
+            f"given '{own}', in the conditions '.{acting[1]}'",
+        )
         with pytest.raises(InvalidInput, match=words):
             _case(beam(*SUPPORTS["rigid"]), spec, Conditions(gravity=acting))
     with pytest.raises(InvalidInput, match=r"gravity: free body .*: nothing holds .*thz"):

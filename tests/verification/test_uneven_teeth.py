@@ -216,7 +216,7 @@ def test_process_damping_over_a_revolution():
 @pytest.mark.parametrize(
     ("pitch", "sentence"),
     [
-        ((100, 120, 130), "350° together; allowed: one to each of 3 teeth"),
+        ((100, 120, 130), "350° in total; allowed: one for each of 3 teeth"),
         ((180, 180), "given 2 angles"),
         ((0.5, 179.5, 180), "given 3 angles from 0.5°"),
     ],

@@ -363,7 +363,7 @@ def test_steps_are_halved_until_the_time_of_running_away_stays() -> None:
 
 def test_steps_too_long_for_what_they_follow_are_reported() -> None:
     told = [*warnings(replace(warmed()[1], error=14.0))]
-    assert any("still move temperatures by 14 K" in line for line in told)
+    assert any("still change temperatures by 14 K" in line for line in told)
     assert not any("still move" in line for line in warnings(warmed()[1]))
 
 
@@ -506,7 +506,7 @@ def test_temperatures_on_their_way_are_reported_where_loads_are_those_in_the_end
     (told,) = warnings(result)
     assert "still warming up at the end: outer ring" in told
     assert f"{reached.max():.0f} °C at 8000 rpm, {end.max():.0f} °C in balance" in told
-    assert f"{100.0 * share:.0f} % of the way still to come" in told
+    assert f"{100.0 * share:.0f} % of the change remaining" in told
     assert not [*warnings(to_the_end)]
 
 
@@ -528,7 +528,7 @@ def test_a_temperature_is_late_by_more_than_a_kelvin_and_on_its_way() -> None:
     passed = replace(settled, steady_outer_temperature=outer[:, 0] + 0.1 * (end - outer[:, 0]))
     (told,) = warnings(passed)
     assert "outer ring" in told
-    assert "of the way" not in told
+    assert "of the change" not in told
 
 
 def test_loads_across_the_axis_take_no_part() -> None:
@@ -577,7 +577,7 @@ FAULTY = {
     "conditions: {heat_flow: HEAT}\n#inner: 0 J/K\n": ("analyses.warm_up.inner", "out of range"),
     "conditions: {heat_flow: HEAT}\n#inner: 500 J/K, shaft_time_constant: 3 min\n": (
         "analyses.warm_up.shaft_time_constant",
-        "give start beside it",
+        "give start, too",
     ),
     "conditions: {heat_flow: HEAT}\n#inner: 500 J/K, start: 9 degC, housing_time_constant: 0 s\n": (
         "analyses.warm_up.housing_time_constant",

@@ -37,16 +37,20 @@ class AxialCycleResult:
     stop_force: Array = quantity(*CYCLE, "sleeve", unit="N", label="stop force")
     stiffness: Array = quantity(*CYCLE, unit="N/m", label="axial stiffness")
     held_force: Array = quantity(
-        "speed", "force", unit="N", label="cyclic force that friction holds", absent=(NOT_HELD,)
+        "speed", "force", unit="N", label="cyclic force without sliding", absent=(NOT_HELD,)
     )
     held_mean: Array = quantity(
-        "speed", "force", unit="N", label="mean of that cyclic force", absent=(NOT_HELD,)
+        "speed",
+        "force",
+        unit="N",
+        label="mean of the cyclic force without sliding",
+        absent=(NOT_HELD,),
     )
     no_load_stiffness: Array = quantity(
         "speed",
         "branch",
         unit="N/m",
         label="axial stiffness at no load",
-        absent=(Absence("where the cycle does not come to no force"),),
+        absent=(Absence("where the cycle does not pass zero force"),),
     )
     loss: Array = quantity("speed", unit="J", label="energy lost per cycle")

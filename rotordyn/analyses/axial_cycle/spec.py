@@ -26,10 +26,10 @@ class AxialCycleSpec(Spec):
 
     def faults_on(self, setting: Setting) -> Faults:
         if setting.spindle.rotors:
-            yield (), "a cycle of axial force takes no further rotors: leave out the rotors"
+            yield (), "a cycle of axial force is solved for one rotor only: leave out the rotors"
         if setting.loaded:
             yield (
                 (),
-                "a cycle of axial force takes the bearings under axial load alone: leave out loads "
+                "a cycle of axial force needs bearings under axial load alone: leave out loads "
                 "and weight across the axis and misalignments",
             )

@@ -49,7 +49,7 @@ def warnings(result: AxialCycleResult) -> list[str]:
             sentences.append(
                 f"bearing {name} is unloaded under an axial force "
                 f"{_unloading_force(result, at[place])} at {rpm:.0f} rpm: raise its preload, or "
-                "keep the force away from there"
+                "avoid that force"
             )
     return sentences
 

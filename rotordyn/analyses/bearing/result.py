@@ -47,7 +47,7 @@ class BearingMapResult:
     ball: Array = coordinate("ball", unit="rad", label="azimuth of the ball")
     contact: Words = coordinate("contact", unit="", label="contact")
     outcome: NDArray[np.str_] = quantity(*BY_LOAD, unit="", label="outcome")
-    axial_force: Array = quantity(*BY_LOAD, unit="N", label="axial load at work")
+    axial_force: Array = quantity(*BY_LOAD, unit="N", label="axial load in operation")
     deflection: Array = quantity(*BY_LOAD, unit="m", label="axial deflection")
     radial_deflection: Array = quantity(*BY_LOAD, unit="m", label="radial deflection")
     tilt: Array = quantity(*BY_LOAD, unit="rad", label="tilt about z")
@@ -57,7 +57,7 @@ class BearingMapResult:
         label="stiffness",
     )
     loaded_ball: NDArray[np.int_] = quantity(
-        *BY_LOAD, unit="", label="ball of largest contact load"
+        *BY_LOAD, unit="", label="ball with the largest contact load"
     )
     inner_angle: Array = quantity(*BY_LOAD, unit="rad", label="inner contact angle")
     outer_angle: Array = quantity(*BY_LOAD, unit="rad", label="outer contact angle")
@@ -80,12 +80,12 @@ class BearingMapResult:
         printed=Shown("1e6", 1e-6),
         infinite=(NO_LOAD,),
     )
-    dynamic_rating: float = quantity(unit="N", label="dynamic load rating, used")
+    dynamic_rating: float = quantity(unit="N", label="dynamic load rating in use")
     groove_rating: float = quantity(unit="N", label="dynamic load rating of the grooves")
     limiting: NDArray[np.str_] = quantity(*BY_LOAD, unit="", label="limiting contact")
     equivalent_load: Array = quantity(*BY_LOAD, unit="N", label="equivalent load")
     rating_factor: Array = quantity(
-        *BY_LOAD, unit="1", label="factor on the dynamic rating by heat"
+        *BY_LOAD, unit="1", label="factor on the dynamic rating for temperature"
     )
     static_safety: Array = quantity(
         *BY_LOAD, unit="1", label="static safety S0", infinite=(NO_LOAD,)
@@ -105,7 +105,9 @@ class BearingMapResult:
         absent=(NO_OIL,),
         infinite=(NO_LOAD,),
     )
-    film_growth: Array = quantity(*BY_LOAD, unit="m", label="growth of the balls by films")
+    film_growth: Array = quantity(
+        *BY_LOAD, unit="m", label="equivalent growth of the balls by films"
+    )
     ball_temperature: Array = quantity(
         *BY_LOAD,
         unit="degC",
@@ -127,8 +129,12 @@ class BearingMapResult:
     speed_limit: Array = quantity(
         "load",
         unit="rad/s",
-        label="speed limit of heat",
-        absent=(Absence("without a heat flow, and where it lies beyond the speeds", by=("load",)),),
+        label="thermal speed limit",
+        absent=(
+            Absence(
+                "without a heat flow, and where the limit lies beyond the speeds", by=("load",)
+            ),
+        ),
     )
     control: NDArray[np.str_] = quantity(*BY_LOAD, unit="", label="controlling race")
     control_agrees: Flags = quantity(*BY_LOAD, unit="", label="kinematics agrees")
@@ -177,7 +183,7 @@ class BearingMapResult:
         "contact",
         unit="rad",
         label="angle of the shoulder",
-        absent=(Absence("where no diameter of the shoulder is known", by=("contact",)),),
+        absent=(Absence("where no diameter of the shoulder is given", by=("contact",)),),
     )
     middle_angle: Array = quantity(
         "contact",

@@ -47,7 +47,7 @@ def solve(
     state = solved.state
     outcome = _outcomes(speed, spec, solved)
     if (outcome != "").all():
-        raise NoSolution(f"no load and speed of the case has a state: {outcome.flat[0]}")
+        raise NoSolution(f"no load and speed of the case has a solution: {outcome.flat[0]}")
     valid = outcome == ""
     ball = np.argmax(np.nan_to_num(state.contact_load).max(axis=-1), axis=-1)
 

@@ -35,18 +35,22 @@ class BearingMapSpec(Spec):
         Items(),
         "stiffness matrices to compute ([theory](theory/ball.md#the-tangent))",
     ] = TANGENTS[:1]
-    radial_loads: Annotated[tuple[Force, ...], "radial loads along y, ascending, instead"] = ()
+    radial_loads: Annotated[
+        tuple[Force, ...], "radial loads along y, ascending, in place of `loads`"
+    ] = ()
     moments: Annotated[
         tuple[Moment, ...],
-        "moments about z, ascending, instead; they tilt the ring in the plane of y",
+        "moments about z, ascending, in place of `loads`; they tilt the ring in the plane of y",
     ] = ()
-    axial_load: Annotated[Force, "acts all the time, where axial loads are not the list"] = 0.0
-    radial_load: Annotated[Force, "acts all the time, where radial loads are not the list"] = 0.0
-    moment: Annotated[Moment, "acts all the time, where moments are not the list"] = 0.0
-    tilt: Annotated[str, Choice(TILTS), "`blocked` holds the tilts of the ring at zero"] = TILTS[0]
-    lubricant: Annotated[Lubrication | None, "oil; without it neither heat nor films"] = None
+    axial_load: Annotated[Force, "constant axial load, where `loads` is not given"] = 0.0
+    radial_load: Annotated[Force, "constant radial load, where `radial_loads` is not given"] = 0.0
+    moment: Annotated[Moment, "constant moment, where `moments` is not given"] = 0.0
+    tilt: Annotated[str, Choice(TILTS), "`blocked` keeps the tilts of the ring at zero"] = TILTS[0]
+    lubricant: Annotated[Lubrication | None, "oil; without it heat and films are not computed"] = (
+        None
+    )
     dynamic_rating: Annotated[
-        Load | None, "C of a catalogue, of one bearing; by default from the grooves"
+        Load | None, "catalogue rating C of one bearing; by default computed from the grooves"
     ] = None
     heat: Annotated[
         str,
@@ -55,17 +59,17 @@ class BearingMapSpec(Spec):
     ] = ELLIPSE
     heat_flow: Annotated[
         MountedHeatFlow | None,
-        "conductances by which heat leaves: temperatures, growth and preload then follow from it, "
-        "and the speed up to which they settle ([theory](theory/life.md#temperatures))",
+        "thermal conductances: temperatures, growth and preload follow from the heat flow, "
+        "and the highest speed with a thermal balance ([theory](theory/life.md#temperatures))",
     ] = None
     flexible_rings: Annotated[
         RingBodies | None,
         "its rings as elastic bodies on shaft and housing, with their sizes "
         "([theory](theory/flexible_rings.md)); rigid by default",
     ] = None
-    films: Annotated[bool, "balls ride on their films, which let them grow and act as springs"] = (
-        False
-    )
+    films: Annotated[
+        bool, "oil films at the contacts, as an equivalent growth of the balls and as springs"
+    ] = False
 
     def _faults(self) -> Faults:
         yield from repeated("tangents", self.tangents)
@@ -87,12 +91,13 @@ class BearingMapSpec(Spec):
         if rings is not None and rings.inner and rings.shaft_bore is None:
             yield (
                 ("flexible_rings", "shaft_bore"),
-                "missing key: there is no shaft that gives it; 0 mm of a solid one",
+                "missing key: a single bearing has no shaft that gives it; 0 mm for a solid shaft",
             )
         if (self.moments or abs(self.moment) > 0.0) and self.tilt == "blocked":
             yield (
                 ("tilt",),
-                "tilt blocked takes no moment: the ring's guide carries it; allowed: free",
+                "a moment has no effect on a blocked tilt: the guide of the ring carries it; "
+                "allowed: free",
             )
 
     def _oil_faults(self) -> Faults:
@@ -101,11 +106,17 @@ class BearingMapSpec(Spec):
             if needs_oil[name]:
                 yield (name,), f"{name} needs an oil: give lubricant"
         if self.heat_flow is not None and self.combined:
-            yield ("heat_flow",), "is made for axial loads alone: give loads and nothing else"
+            yield (
+                ("heat_flow",),
+                "is solved for axial loads only: give loads and no other list or load",
+            )
         if self.heat_flow is not None and self.films:
             yield ("films",), "given beside heat_flow; allowed: one of the two"
         if self.films and self.tangents != TANGENTS[:1]:
-            yield ("tangents",), "films have the complete tangent alone; allowed: complete"
+            yield (
+                ("tangents",),
+                "films have the complete tangent alone; allowed: complete",
+            )
 
     def last_faults_of(self, bearing: BallBearing) -> Faults:
         """Yield faults of impossible rings, and of loads that the bearing cannot carry."""

@@ -46,8 +46,8 @@ def _rings(result: BearingMapResult) -> list[str]:
         for letter in RINGS
     )
     return [
-        f"rings      deform: the inner raceway gives {inner:.2g} µm at most, the outer one "
-        f"{outer:.2g}, beyond the contacts themselves"
+        f"rings      deform: inner raceway by {inner:.2g} µm at most, outer raceway by "
+        f"{outer:.2g} µm, in addition to the contacts"
     ]
 
 
@@ -70,7 +70,7 @@ def cut_off(result: BearingMapResult) -> list[str]:
             sentences.append(
                 f"contact ellipse passes {what} of the {ring} ring, first under "
                 f"{mounted_under(result, column)} at {rpm:.0f} rpm, up to "
-                f"{percent(share.max())} of its length lost"
+                f"{percent(share.max())} of its length outside the groove"
             )
     return sentences
 
@@ -128,7 +128,7 @@ def _contacts(result: BearingMapResult) -> list[str]:
         ]
         lines.append(
             f"{INDENT}{mounted_under(result, k)}: {ball_text if result.ball.size > 1 else ''}"
-            f"{', '.join(parts)}; {_numbers(result.contacts[-1, k])} contacts a ball"
+            f"{', '.join(parts)}; {_numbers(result.contacts[-1, k])} contacts per ball"
         )
     return lines if len(lines) > 1 else []
 
@@ -145,7 +145,7 @@ def _life(result: BearingMapResult) -> list[str]:
         if np.isfinite(result.viscous_heat[valid, k]).any():
             heat = (result.contact_heat + result.viscous_heat)[valid, k]
             turning = valid & (result.speed > 0.0)
-            caveat = "; of the resultants where balls have more than two contacts, an estimate"
+            caveat = "; estimated from resultants where balls have more than two contacts"
             estimated = bool((result.contacts[turning, k] > 2).any())
             text += f", heat {from_to(heat, 0)} W (order of magnitude{caveat * estimated})"
         lines.append(f"{'life       ' if not lines else INDENT}{text}")
@@ -234,7 +234,7 @@ def _overheated(result: BearingMapResult) -> Iterator[str]:
     if np.isfinite(result.speed_limit).any():
         k = int(np.nanargmin(result.speed_limit))
         yield (
-            f"temperatures reach no balance above {result.speed_limit[k] * RPM.factor:.0f} rpm "
+            f"there is no thermal balance above {result.speed_limit[k] * RPM.factor:.0f} rpm "
             f"under {mounted_under(result, k)}: cool the rings better, or lower the preload or the "
             "speed"
         )

@@ -11,7 +11,7 @@ BEARING = ("speed", "bearing")
 BALL = ("speed", "bearing", "ball")
 
 
-FEWER = Absence("beyond the balls that the bearing has", last="ball")
+FEWER = Absence("beyond the last ball of the bearing", last="ball")
 
 
 @dataclass(frozen=True)
@@ -40,7 +40,8 @@ class BearingLoadsResult:
         label="share of the loads at contact loss",
         absent=(
             Absence(
-                "where no ball leaves its race under the loads, and where that is not sought",
+                "where no ball loses contact under the loads, and where contact loss is not "
+                "computed",
                 by=("speed", "bearing"),
             ),
         ),
@@ -49,7 +50,7 @@ class BearingLoadsResult:
         *BEARING,
         unit="rad",
         label="azimuth of contact loss",
-        absent=(Absence("where no ball leaves its race", beside="loss_share"),),
+        absent=(Absence("where no ball loses contact", beside="loss_share"),),
     )
     ball_azimuth: Array = quantity("bearing", "ball", unit="rad", label="azimuth", absent=(FEWER,))
     ball_inner_load: Array = quantity(*BALL, unit="N", label="inner load", absent=(FEWER,))

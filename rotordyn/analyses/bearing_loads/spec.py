@@ -18,6 +18,6 @@ class BearingLoadsSpec(Spec):
     loss_steps: Annotated[
         int,
         Whole(0, MOST_STEPS),
-        "steps in which the loads across the axis grow to find where a ball loses its contact; 0: "
-        "not sought",
+        "steps in which the loads across the axis increase to find where a ball loses contact; 0: "
+        "contact loss is not computed",
     ] = 20

@@ -86,7 +86,7 @@ def _diagram(spec: Any, variant: Shown) -> Chart:
             for x, y, name in _ends(excited, float(rpm[-1]), top)
         ],
     }
-    note = "Solid: forward whirl, dashed: backward; point at a curve for its damping."
+    note = "Solid: forward whirl, dashed: backward; move the pointer over a curve for its damping."
     return Chart("Campbell diagram", traces, layout, note=note, wide=True, tall=560)
 
 
@@ -200,7 +200,7 @@ def _criticals(result: CampbellResult, title: str) -> Iterator[Block]:
     if rows:
         yield Table(name, heads, rows)
     else:
-        yield Text(["None in the speeds and frequencies asked for."], title=name)
+        yield Text(["None within the given speeds and frequencies."], title=name)
 
 
 def _modes(result: CampbellResult, title: str, *, folded: bool) -> Iterator[Table]:

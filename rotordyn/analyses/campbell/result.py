@@ -83,17 +83,19 @@ class CampbellResult:
             UNREFINED,
         ),
     )
-    max_frequency: float = quantity(unit="Hz", label="modes and critical speeds up to")
+    max_frequency: float = quantity(
+        unit="Hz", label="highest frequency of modes and critical speeds"
+    )
     unconverged: str = quantity(unit="", label="what changes as the model is refined")
     pole: Complex = quantity(
         "speed", "mode", unit="rad/s", label="pole", printed=PER_SECOND, absent=(NOT_FOLLOWED,)
     )
     stopped: Array = quantity("speed", unit="1", label="number of sleeves at their stops")
     free: Array = quantity(
-        "speed", unit="1", label="eigenvalues at zero, of motions that nothing holds: no modes"
+        "speed", unit="1", label="zero eigenvalues of rigid-body motion, which are not modes"
     )
     node_rotor: Words = quantity("node", unit="", label="rotor of the node")
-    speed_ratio: Array = quantity("rotor", unit="1", label="speed over that of the spindle")
+    speed_ratio: Array = quantity("rotor", unit="1", label="speed ratio to the spindle")
     damping_ratio: Array = quantity(
         "speed", "mode", unit="1", label="damping ratio", absent=(NOT_FOLLOWED,)
     )
@@ -110,13 +112,13 @@ class CampbellResult:
         "speed", "mode", unit="1", label="whirl direction", absent=(NOT_FOLLOWED,)
     )
     whirl_degree: Array = quantity(
-        "speed", "mode", unit="1", label="forward less backward share", absent=(NOT_FOLLOWED,)
+        "speed", "mode", unit="1", label="forward minus backward share", absent=(NOT_FOLLOWED,)
     )
     rigid_share: Array = quantity(
         "speed", "mode", unit="1", label="share of rigid-body motion", absent=(NOT_FOLLOWED,)
     )
     kind: Words = quantity("mode", unit="", label="kind")
-    excited_by: Words = quantity("mode", unit="", label="excited by unbalance that turns")
+    excited_by: Words = quantity("mode", unit="", label="direction of the exciting unbalance")
     character: Words = quantity("mode", unit="", label="character")
     shape: Complex = quantity(
         "shape_speed",
@@ -131,18 +133,20 @@ class CampbellResult:
     )
     stability_threshold: float = quantity(
         unit="rad/s",
-        label="speed from which a mode grows",
-        infinite=(Absence("where no mode grows", beside="first_to_grow"),),
+        label="speed from which a mode is unstable",
+        infinite=(Absence("where no mode is unstable", beside="first_to_grow"),),
     )
     threshold_is_bound: bool = quantity(unit="", label="the threshold may be lower")
-    first_to_grow: str = quantity(unit="", label="mode that grows from there")
+    first_to_grow: str = quantity(unit="", label="mode that is unstable from there")
     critical_speed: Array = quantity("critical", unit="rad/s", label="critical speed")
-    critical_rotor: Words = quantity("critical", unit="", label="rotor that excites")
-    critical_order: Array = quantity("critical", unit="1", label="order of its rotation")
+    critical_rotor: Words = quantity("critical", unit="", label="exciting rotor")
+    critical_order: Array = quantity("critical", unit="1", label="order of the excitation")
     critical_kind: Words = quantity("critical", unit="", label="kind of critical speed")
     critical_whirl: Words = quantity("critical", unit="", label="whirl at the critical speed")
-    critical_damping: Array = quantity("critical", unit="1", label="damping ratio there")
-    critical_excited: Flags = quantity("critical", unit="", label="excited by what turns")
+    critical_damping: Array = quantity(
+        "critical", unit="1", label="damping ratio at the critical speed"
+    )
+    critical_excited: Flags = quantity("critical", unit="", label="excited by the rotation")
     passing_frequency: Array = quantity("speed", "passing", unit="Hz", label="defect frequency")
 
     @property

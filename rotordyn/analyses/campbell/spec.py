@@ -24,7 +24,7 @@ class ShapesInSpaceSpec(Description):
     animation: Annotated[bool, "one period of each mode as a GIF"] = False
     files: Annotated[
         tuple[Annotated[str, Choice(MESH_FILES)], ...],
-        "formats of the meshes that other programs read",
+        "formats of the mesh files for other programs",
     ] = ()
 
     def _faults(self) -> Faults:
@@ -35,7 +35,7 @@ class ShapesInSpaceSpec(Description):
 class CampbellSpec(Spec):
     """Damped modes over speed."""
 
-    max_frequency: Annotated[Frequency, "modes that come below it at any speed are followed"] = (
+    max_frequency: Annotated[Frequency, "modes that are below it at any speed are followed"] = (
         4000.0
     )
     teeth: Annotated[
@@ -45,11 +45,11 @@ class CampbellSpec(Spec):
     shapes: Annotated[bool, "keep the mode shapes at the first and last speed"] = True
     shapes_3d: Annotated[
         ShapesInSpaceSpec | None,
-        "draw them in space too, and write them as meshes ([how](theory/shapes.md))",
+        "mode shapes drawn in three dimensions and written as meshes ([how](theory/shapes.md))",
     ] = None
     engine_orders: Annotated[
         tuple[EngineOrder, ...],
-        "multiples of the speed, integer or not, whose critical speeds are sought",
+        "multiples of the speed, integer or not, for which critical speeds are computed",
     ] = (1.0,)
 
     bearing_frequencies: Annotated[

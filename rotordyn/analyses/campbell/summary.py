@@ -255,7 +255,8 @@ def _omitted_modes(result: CampbellResult) -> list[str]:
     if count := int(result.mostly_overdamped.sum()):
         sentences.append(
             f"{count} of {len(result.mode)} modes are overdamped (damping ratio above "
-            f"{OVERDAMPED:g}) at most speeds and left out of figures and lists; results.nc has them"
+            f"{OVERDAMPED:g}) at most speeds and omitted from figures and lists; results.nc has "
+            "them"
         )
     solved = result.followed.any(axis=1)
     for k in np.flatnonzero(~result.mostly_overdamped):
@@ -266,12 +267,12 @@ def _omitted_modes(result: CampbellResult) -> list[str]:
         if result.kind[k] in ("axial", "torsion"):
             sentences.append(
                 f"{result.mode[k]} lies above the band asked for at {speeds} rpm: raise "
-                "max_frequency to see it there"
+                "max_frequency to include it there"
             )
         else:
             sentences.append(
                 f"{result.mode[k]} is not followed at {missing.size} of the speeds, {speeds} rpm: "
-                "no mode that oscillates has its shape there, in the band or somewhat above it"
+                "there no oscillating mode in the band, or slightly above it, has its shape"
             )
     return sentences
 
@@ -282,10 +283,10 @@ def _unstable_modes(result: CampbellResult) -> list[str]:
         rpm = f"{result.stability_threshold * RPM.factor:.0f} rpm"
         onward = " on" if _stays_unstable(result) else ""
         sentences.append(
-            f"{result.first_to_grow} grows by itself at {rpm} already, the lowest speed at which "
+            f"{result.first_to_grow} is unstable at {rpm} already, the lowest speed at which "
             "it is solved: add lower speeds to find its threshold"
             if result.threshold_is_bound
-            else f"{result.first_to_grow} grows by itself from {rpm}{onward}"
+            else f"{result.first_to_grow} is unstable from {rpm}{onward}"
         )
     for name, ratio, growing in zip(
         result.mode, result.damping_ratio.T, result.unstable.T, strict=True

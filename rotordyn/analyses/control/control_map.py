@@ -26,17 +26,17 @@ LOG_TOLERANCE = 1e-10  # of a boundary, relative
 UPWARD = np.array([[[1.0]], [[-1.0]]])  # how the margin of each race crosses zero at its boundary
 ABSENT = (  # sentences by race: margin positive, negative, crossing zero in the other direction
     (
-        "inner race controls at every load that has a state",
-        "inner race controls at no load that has a state",
+        "inner race controls at every load that has a solution",
+        "inner race controls at no load that has a solution",
         "inner race loses control as the load rises",
     ),
     (
-        "outer race controls at every load that has a state",
-        "outer race controls at no load that has a state",
+        "outer race controls at every load that has a solution",
+        "outer race controls at no load that has a solution",
         "outer race gains control as the load rises",
     ),
 )
-UNRESOLVED = "no state next to the boundary"
+UNRESOLVED = "no solution next to the boundary"
 THIRD = "third contact"  # of a ball, which slides: no race controls
 
 
@@ -105,7 +105,7 @@ def control_map(
     state = sweep.state(np.broadcast_to(load, rows.shape), rows)
     margins, third = least_margins(state), three_contacts(state)
     boundary, absence, changes = _boundaries(sweep, load, margins)
-    two_contacts = np.strings.replace(absence, "that has a state", "with two contacts a ball")
+    two_contacts = np.strings.replace(absence, "that has a solution", "with two contacts per ball")
     absence = np.where(third.any(axis=1), two_contacts, absence)
     outcome = np.where(third, THIRD, state.outcome)
     absence = np.where((outcome != "").all(axis=1), outcome[:, -1], absence)

@@ -16,7 +16,7 @@ class ControlSpec(Spec):
 
     max_load: Annotated[Load, "highest axial load"]
     min_load: Annotated[LightLoad, "lowest axial load"] = 10.0
-    radial: Annotated[RadialShare, "radial load over the axial one"] = 0.0
+    radial: Annotated[RadialShare, "ratio of the radial to the axial load"] = 0.0
     static_growth: Annotated[Growth, "radial growth of the inner groove at rest"] = 0.0
 
     def _faults(self) -> Faults:

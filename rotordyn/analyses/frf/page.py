@@ -76,7 +76,7 @@ def _responses(variants: Sequence[Shown]) -> Chart:
         layout,
         [_pairs(first), Control("speed", _speeds(first), slider=True)],
         captions,
-        note="Point into the chart for a cursor with values.",
+        note="Move the pointer over the chart to read values.",
         wide=True,
         tall=560,
     )
@@ -122,7 +122,7 @@ def _caption(result: FrequencyResponse, speed: int, pair: int) -> str:
         if np.isfinite(hertz)
     ]
     peaks = f"Peaks [{shown(result.unit(pair)).unit}]: {', '.join(texts)}." if texts else "No peak."
-    unstable = "The machine is unstable at this speed: the response is not reached. "
+    unstable = "The machine is unstable at this speed: the steady response is not reached. "
     return (unstable if result.unstable[speed] else "") + peaks
 
 
@@ -238,7 +238,7 @@ def _measured(result: FrequencyResponse, title: str) -> Iterator[Block]:
     ]
     controls = [Control("measured response", result.measured)]
     yield Chart(
-        f"{title}measured over computed" if title else "Measured over computed",
+        f"{title}measured and computed" if title else "Measured and computed",
         traces,
         layout,
         controls,

@@ -73,12 +73,12 @@ def _from_uff(path: Path, pair: str, number: int | None) -> Record:
     sets = _sets_58(path)
     frf_sets = [data_set for data_set in sets if data_set.get("func_type") == _FRF]
     if number is None and len(sets) > 1 and len(frf_sets) != 1:
-        raise InvalidInput(f"{len(sets)} records of type 58: say which by record, 1 to {len(sets)}")
+        raise InvalidInput(f"{len(sets)} records of type 58: give record, 1 to {len(sets)}")
     if number is not None and number > len(sets):
         raise InvalidInput(f"no record {number}: the file has {len(sets)} of type 58")
     data_set = sets[number - 1] if number is not None else [*frf_sets, *sets][0]
     if data_set.get("func_type") != _FRF or data_set.get("ord_data_type") not in _COMPLEX:
-        raise InvalidInput("the record is no complex frequency response function")
+        raise InvalidInput("the record is not a complex frequency response function")
     frequency, values = [float(f) for f in data_set["x"]], [complex(v) for v in data_set["data"]]
     if _label(data_set, "abscissa").upper() not in ("", "HZ"):
         raise InvalidInput(f"frequency in {shown(_label(data_set, 'abscissa'))}; allowed: Hz")
@@ -101,18 +101,19 @@ def _sign(data_set: dict[str, Any], pair: str) -> float:
     for direction, end, what in zip(directions, ends, ("response", "excitation"), strict=True):
         if direction and (abs(direction) > AXES) != is_rotation(end):
             raise InvalidInput(
-                f"{what} in direction {direction} of the record, a "
-                f"{'rotation' if abs(direction) > AXES else 'translation'}: no {end} as of {pair}"
+                f"the record has its {what} in direction {direction}, a "
+                f"{'rotation' if abs(direction) > AXES else 'translation'}, but {end} of {pair} is "
+                "not one"
             )
     if all(directions) and ends[0] == ends[1] and abs(directions[0]) != abs(directions[1]):
         raise InvalidInput(
-            f"response in direction {directions[0]} of the record, excitation in {directions[1]}: "
-            f"no {pair}, whose directions are one"
+            f"the record has its response in direction {directions[0]} and its excitation in "
+            f"{directions[1]}, but {pair} has both in one direction"
         )
     if all(directions) and ends[0] != ends[1] and abs(directions[0]) == abs(directions[1]):
         raise InvalidInput(
-            f"response and excitation both in direction {abs(directions[0])} of the record: "
-            f"no {pair}, whose directions are two"
+            f"the record has response and excitation in direction {abs(directions[0])}, "
+            f"but {pair} has them in two directions"
         )
     return -1.0 if directions[0] * directions[1] < 0 else 1.0
 
@@ -152,7 +153,7 @@ def _sets_58(path: Path) -> list[dict[str, Any]]:
         except Exception as error:  # noqa: BLE001 - pyuff raises what its parser meets
             raise InvalidInput(f"not a UFF file that can be read: {error}") from None
     if not data_sets:
-        raise InvalidInput("no record of type 58 in it")
+        raise InvalidInput("the file has no record of type 58")
     sizes = [units[-1][key] for key in ("length", "force")] if units else [1.0, 1.0]
     return [{**data_set, **dict(zip(_OF_FILE, sizes, strict=True))} for data_set in data_sets]
 
@@ -172,7 +173,7 @@ def _uff_unit(data_set: dict[str, Any], pair: str) -> tuple[str, float]:
     quantity, scale = _unit(_response(motion, load, code, pair), pair)
     if code in _MOTIONS and quantity != _MOTIONS[code]:
         raise InvalidInput(
-            f"the record says {_MOTIONS[code]} by its data type, but has the unit of {quantity}"
+            f"the data type of the record is {_MOTIONS[code]}, but its unit is that of {quantity}"
         )
     return quantity, scale
 
@@ -236,7 +237,9 @@ def _from_table(path: Path, pair: str) -> Record:
     if second == "imaginary":
         other, factor = _unit(columns[second][1], pair)
         if other != quantity:
-            raise InvalidInput(f"real part of a {quantity}, imaginary part of a {other}")
+            raise InvalidInput(
+                f"real part in a unit of {quantity}, imaginary part in a unit of {other}"
+            )
         imaginary = _scaled(numbers, columns[second], factor)
         return _record(
             pair, quantity, frequency, list(map(complex, first_part, imaginary)), coherence

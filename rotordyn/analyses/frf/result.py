@@ -15,9 +15,9 @@ from rotordyn.results.kinds import Array, Complex, Flags, Words
 AS_COMPUTED = "SI, as computed"  # unit of fields whose entries have those of their pairs
 
 
-FEWER = Absence("behind the last peak", last="resonance")
-NO_TIP = Absence("of a response that is no coupled tip", by=("measured",))
-BEYOND = Absence("behind the last frequency of the slice", last="place")
+FEWER = Absence("beyond the last peak", last="resonance")
+NO_TIP = Absence("of a response that is not a coupled tip", by=("measured",))
+BEYOND = Absence("beyond the last frequency of the slice", last="place")
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,7 @@ class FrequencyResponse:
     error: Array = quantity("pair", unit="1", label="estimated error over the largest value")
     error_asked: float = quantity(
         unit="1",
-        label="largest error asked for, over that value",
+        label="largest error asked for, over the largest value",
         infinite=(Absence("where none is asked for"),),
     )
     resonance: NDArray[np.int_] = coordinate("resonance", unit="", label="resonance")
@@ -71,11 +71,13 @@ class FrequencyResponse:
         label="damping ratio of the mode at the peak",
         absent=(
             FEWER,
-            Absence("of a peak that no single mode makes", by=("speed", "pair", "resonance")),
+            Absence(
+                "of a peak that is not due to a single mode", by=("speed", "pair", "resonance")
+            ),
         ),
     )
     light_mode: Words = quantity(
-        "pair", unit="", label="mode of the highest peak, if hardly damped"
+        "pair", unit="", label="mode of the highest peak, if lightly damped"
     )
     slice_speed: Array = coordinate("slice_speed", unit="rad/s", label="speed")
     place: NDArray[np.int_] = coordinate("place", unit="", label="place")
@@ -101,7 +103,7 @@ class FrequencyResponse:
         "step",
         unit="rad/s",
         label="speed",
-        absent=(Absence("behind the last speed of the line", last="step"),),
+        absent=(Absence("beyond the last speed of the line", last="step"),),
     )
     line_curve: Complex = quantity(
         "line",
@@ -110,7 +112,7 @@ class FrequencyResponse:
         unit=AS_COMPUTED,
         label="response",
         absent=(
-            Absence("behind the last speed of the line", last="step"),
+            Absence("beyond the last speed of the line", last="step"),
             Absence("at a speed at which a stop closes", by=("line", "step")),
         ),
     )
@@ -121,7 +123,7 @@ class FrequencyResponse:
         "crossing",
         unit="rad/s",
         label="speed of the peak",
-        absent=(Absence("behind the last peak of the line", last="crossing"),),
+        absent=(Absence("beyond the last peak of the line", last="crossing"),),
     )
     line_peak_value: Complex = quantity(
         "line",
@@ -129,7 +131,7 @@ class FrequencyResponse:
         "crossing",
         unit=AS_COMPUTED,
         label="response at the peak",
-        absent=(Absence("behind the last peak of the line", last="crossing"),),
+        absent=(Absence("beyond the last peak of the line", last="crossing"),),
     )
     measured: Words = coordinate("measured", unit="", label="measured response")
     sample: NDArray[np.int_] = coordinate("sample", unit="", label="sample")
@@ -141,50 +143,52 @@ class FrequencyResponse:
         "sample",
         unit="Hz",
         label="frequency",
-        absent=(Absence("behind the last sample", last="sample"),),
+        absent=(Absence("beyond the last sample", last="sample"),),
     )
     measured_response: Complex = quantity(
         "measured",
         "sample",
         unit=AS_COMPUTED,
-        label="measured, as the computed quantity",
-        absent=(Absence("behind the last sample", last="sample"),),
+        label="measured response, as the computed quantity",
+        absent=(Absence("beyond the last sample", last="sample"),),
     )
     measured_peak: Array = quantity(
         "measured",
         "peak",
         unit="Hz",
         label="measured peak",
-        absent=(Absence("behind the last peak", last="peak"),),
+        absent=(Absence("beyond the last peak", last="peak"),),
     )
     measured_peak_amplitude: Array = quantity(
         "measured",
         "peak",
         unit=AS_COMPUTED,
         label="amplitude of the measured peak",
-        absent=(Absence("behind the last peak", last="peak"),),
+        absent=(Absence("beyond the last peak", last="peak"),),
     )
     measured_peak_error: Array = quantity(
         "measured",
         "peak",
         unit="1",
-        label="standard error of that amplitude",
-        absent=(Absence("where the highest line is the peak", by=("measured", "peak")),),
-        infinite=(Absence("where lines are too wide for the peak", by=("measured", "peak")),),
+        label="standard error of the measured amplitude",
+        absent=(Absence("where the highest sample is the peak", by=("measured", "peak")),),
+        infinite=(
+            Absence("where frequencies are too far apart for the peak", by=("measured", "peak")),
+        ),
     )
     computed_peak: Array = quantity(
         "measured",
         "peak",
         unit="Hz",
         label="computed peak",
-        absent=(Absence("behind the last peak", last="peak"),),
+        absent=(Absence("beyond the last peak", last="peak"),),
     )
     computed_peak_amplitude: Array = quantity(
         "measured",
         "peak",
         unit=AS_COMPUTED,
         label="amplitude of the computed peak",
-        absent=(Absence("behind the last peak", last="peak"),),
+        absent=(Absence("beyond the last peak", last="peak"),),
     )
     frac: Array = quantity(
         "measured",
@@ -200,7 +204,7 @@ class FrequencyResponse:
     measured_error: Array = quantity(
         "measured",
         unit="1",
-        label="error of a coupled tip by noise, over its size",
+        label="relative error of a coupled tip by noise",
         absent=(NO_TIP,),
     )
     measured_calibration: Array = quantity(

@@ -45,7 +45,7 @@ class FrfSpec(Spec):
     ]
     slices: Annotated[
         tuple[Speed, ...],
-        "speeds drawn as curves and written as UFF58 (nearest speed of the case), beside those of "
+        "speeds drawn as curves and written as UFF58 (nearest speed of the case), besides those of "
         "measured responses; by default the lowest and the highest",
     ] = ()
     quantity: Annotated[
@@ -53,12 +53,13 @@ class FrfSpec(Spec):
     ] = QUANTITIES[0]
     measured: Annotated[
         tuple[MeasuredResponse, ...],
-        "measured ones laid over ([how](theory/receptances.md#measured-responses))",
+        "measured responses drawn over the computed ones "
+        "([how](theory/receptances.md#measured-responses))",
     ] = ()
     measured_spindle: Annotated[
         MeasuredSpindle | None,
         "measured receptances of a spindle, with the tool of the case coupled to them; "
-        "shown over the tip of the computed machine ([how](howto/measured_spindle.md))",
+        "drawn over that of the computed machine at the tip ([how](howto/measured_spindle.md))",
     ] = None
     engine_orders: Annotated[
         tuple[EngineOrder, ...],
@@ -154,7 +155,8 @@ class FrfSpec(Spec):
         if turning and self.measured:
             yield (
                 ("measured",),
-                "measured in the fixed frame: given beside rotating; allowed: inertial",
+                "measured responses are those of the fixed frame: given with formulation rotating; "
+                "allowed: inertial",
             )
         if not misnamed(setting.spindle):
             yield from self._pairs(setting)
@@ -168,7 +170,7 @@ class FrfSpec(Spec):
         if not self.at_the_tip(setting.spindle):
             yield (
                 ("measured_spindle",),
-                "no pair at the tip of the tool, over which it is laid: allowed: response and "
+                "no pair at the tip of the tool, over which it is drawn: allowed: response and "
                 "excitation in y, or in z, of the point at its front end",
             )
 
@@ -202,7 +204,7 @@ class FrfSpec(Spec):
             one, other = (_SPOKEN.get(motion, motion) for motion in motions)
             yield (
                 ("pairs", index),
-                f"nothing couples {one} and {other}: given '{pair[0]} / {pair[1]}'; allowed: both "
+                f"{one} and {other} are not coupled: given '{pair[0]} / {pair[1]}'; allowed: both "
                 "ends in one of x; thx; y, z, thy, thz, or a support or static loads that couple "
                 "them",
             )

@@ -106,7 +106,7 @@ def _line(result: FrequencyResponse, row: int) -> str:
     if math.isfinite(noise):
         growth = result.measured_calibration[row]
         uncertainty = (
-            f", uncertain by {100.0 * noise:.1f} % by noise and by {growth:.0f} % for each 1 "
+            f", uncertainty {100.0 * noise:.1f} % from noise and {growth:.0f} % for each 1 "
             "% (or 0.6°) of "
             "calibration"
         )
@@ -117,7 +117,7 @@ def _why_not(result: FrequencyResponse, row: int) -> str:
     frequency = result.measured_frequency[row]
     inside = ((frequency >= result.frequency[0]) & (frequency <= result.frequency[-1])).sum()
     if inside < LEAST_POINTS:
-        return f"{inside} of its points lie in the band, and {LEAST_POINTS} are needed"
+        return f"{inside} of its points lie in the band, {LEAST_POINTS} are needed"
     return "there is no computed response"
 
 
@@ -129,7 +129,7 @@ def warnings(result: FrequencyResponse) -> list[str]:
         if not math.isfinite(result.frac[row])
     ]
     sentences += [
-        f"{name}: the noise of the measurement makes {100.0 * noise:.0f} % of it, most at "
+        f"{name}: measurement noise causes an error of {100.0 * noise:.0f} %, most of it at "
         "its highest peaks: "
         "take a shorter blank, or more averages"
         for name, noise in zip(result.measured, result.measured_error, strict=True)
@@ -159,9 +159,9 @@ def _wide_lines(result: FrequencyResponse) -> Iterator[str]:
         if (wide := np.isinf(error)).any():
             peaks = ", ".join(number(hertz) for hertz in at[wide])
             yield (
-                f"measured response {name}: its lines are too wide for the peaks at {peaks} Hz, "
-                "whose heights are those of the highest lines and may be too low: measure with "
-                "closer lines"
+                f"measured response {name}: its frequencies are too far apart for the peaks at "
+                f"{peaks} Hz, whose heights are those of the highest samples and may be too low: "
+                "measure with a finer frequency resolution"
             )
 
 
@@ -179,7 +179,7 @@ def _driving_points(result: FrequencyResponse) -> Iterator[str]:
         fault = fault_at_driving_point(values, omega, result.kind)
         if fault and not (fault == NO_DRIVING_POINT and result.measured_speed[row] > 0.0):
             words = fault if fault == NO_DRIVING_POINT else misnamed(result.kind)
-            yield f"measured response {name} is no driving point: {words}"
+            yield f"measured response {name} is not that of a driving point: {words}"
 
 
 def _hardly_damped(result: FrequencyResponse) -> Iterator[str]:

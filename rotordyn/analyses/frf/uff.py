@@ -65,7 +65,7 @@ def files(folder: Path, case: Described, result: FrequencyResponse) -> Iterator[
 
 
 def _no_record() -> None:
-    raise LeftOut("one frequency, where a record takes two or more: ask for more frequencies")
+    raise LeftOut("one frequency, but a record needs two or more: give more frequencies")
 
 
 def write_uff(

@@ -23,8 +23,8 @@ NO_LOAD = Absence("without load", beside="equivalent_load")
 THIN = Absence("where κ is below 0.1, as at rest", beside="life_factor")
 STEEP = Absence("of contact angles above 45°", by=("bearing",))
 NO_SPECTRUM = Absence("without a load spectrum")
-STILL = Absence("where no step turns it under load", by=("bearing",))
-NO_TEMPERATURE = Absence("where the conditions have none")
+STILL = Absence("where no step has rotation under load", by=("bearing",))
+NO_TEMPERATURE = Absence("where the conditions give no temperature")
 
 
 @dataclass(frozen=True)
@@ -79,7 +79,7 @@ class LifeResult:
         unit="rad",
         label="margin to the shoulder",
         absent=(
-            Absence("where no diameter of the shoulder is known", by=("bearing",)),
+            Absence("where no diameter of the shoulder is given", by=("bearing",)),
             NO_LOAD,
         ),
     )
@@ -94,9 +94,14 @@ class LifeResult:
     moment: Array = quantity(
         *BY, unit="N·m", label="friction moment", printed=Shown("N·mm", 1e3), absent=(NO_OIL,)
     )
-    slips: Flags = quantity(*BY, unit="", label="balls need more friction than the lubricant has")
+    slips: Flags = quantity(
+        *BY, unit="", label="balls need more friction than the lubricant provides"
+    )
     viscosity: float = quantity(
-        unit="m²/s", label="viscosity at work", printed=VISCOSITY, absent=(NO_OIL,)
+        unit="m²/s",
+        label="viscosity at the operating temperature",
+        printed=VISCOSITY,
+        absent=(NO_OIL,),
     )
     viscosity_ratio: Array = quantity(*BY, unit="1", label="viscosity ratio κ", absent=(NO_OIL,))
     film: Array = quantity(
@@ -125,7 +130,9 @@ class LifeResult:
     )
     dynamic_rating: Array = quantity("bearing", unit="N", label="dynamic load rating")
     groove_rating: Array = quantity("bearing", unit="N", label="dynamic load rating of the grooves")
-    rating_factor: Array = quantity(*BY, unit="1", label="factor on the dynamic rating by heat")
+    rating_factor: Array = quantity(
+        *BY, unit="1", label="factor on the dynamic rating for temperature"
+    )
     static_rating: Array = quantity("bearing", unit="N", label="static load rating")
     groove_static_rating: Array = quantity(
         "bearing", unit="N", label="static load rating of the grooves"
@@ -164,7 +171,7 @@ class LifeResult:
     )
     reliability: float = quantity(unit="1", label="reliability of the modified life")
     target: float = quantity(
-        unit="s", label="target life", printed=HOURS, absent=(Absence("where none is asked for"),)
+        unit="s", label="target life", printed=HOURS, absent=(Absence("where no target is given"),)
     )
 
     @property

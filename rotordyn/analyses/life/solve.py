@@ -296,8 +296,8 @@ def _step(
         revolutions = float(bearings.life.reference_life(state, float(dynamic)).flat[index])
         if math.isnan(revolutions):
             raise InvalidInput(
-                f"life: spectrum.{place + 1}.radial.{seat.name}: no state under this load: given "
-                f"{step.radial[seat.name]:.6g} N; allowed: what the bearing bears; lower it"
+                f"life: spectrum.{place + 1}.radial.{seat.name}: no solution under this load: "
+                f"given {step.radial[seat.name]:.6g} N; lower the load"
             )
         lives.append(revolutions * 2.0 * math.pi / step.speed if step.speed else np.inf)
         safety.append(float(static_share * bearings.life.static_safety(state).flat[index]))

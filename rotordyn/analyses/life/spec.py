@@ -35,7 +35,7 @@ class LoadStep(Description):
     ] = ()
     radial: Annotated[
         Mapping[Name, Preload],
-        "radial load on bearings by name; they keep the axial load of their preload, untilted",
+        "radial load on bearings by name; they keep the axial load of their preload, without tilt",
     ] = field(default_factory=dict)
 
 
@@ -44,30 +44,30 @@ class LifeSpec(Spec):
     """Life, static safety, heat, films and defect frequencies of every bearing over speed."""
 
     lubricant: Annotated[
-        Lubrication | None, "oil; without it neither heat nor films nor modified life"
+        Lubrication | None, "oil; without it heat, films and modified life are not computed"
     ] = None
     dynamic_ratings: Annotated[
         Mapping[Name, Load],
-        "C of a catalogue, of ONE bearing each, by name; by default from the grooves",
+        "catalogue rating C of ONE bearing each, by name; by default computed from the grooves",
     ] = field(default_factory=dict)
     static_ratings: Annotated[
         Mapping[Name, Load],
-        "C0 of a catalogue, likewise, for the static safety, Cu of the modified life, and the "
+        "catalogue rating C0, likewise, for the static safety, Cu of the modified life, and the "
         "`palmgren` moment",
     ] = field(default_factory=dict)
     reliability: Annotated[float, Choice(RELIABILITIES), "reliability of the modified life"] = 0.90
-    target: Annotated[Duration | None, "life that every bearing shall reach, a warning if not"] = (
-        None
-    )
+    target: Annotated[
+        Duration | None, "required life of every bearing; a warning says where it is not reached"
+    ] = None
     spectrum: Annotated[
         tuple[LoadStep, ...],
-        "load spectrum: loads and speeds with their shares of time, for one life",
+        "load spectrum: loads and speeds with their shares of time, which give one life",
     ] = ()
     heat: Annotated[
         str,
         Choice(LOSS_MODELS),
-        "`ellipse`: sliding in the contact ellipses; `palmgren`: his load-dependent moment; the "
-        "viscous part is Palmgren's in both ([theory](theory/life.md#friction-and-heat))",
+        "`ellipse`: sliding in the contact ellipses; `palmgren`: Palmgren's load-dependent moment; "
+        "the viscous part is Palmgren's in both ([theory](theory/life.md#friction-and-heat))",
     ] = ELLIPSE
 
     def _faults(self) -> Faults:
@@ -77,7 +77,7 @@ class LifeSpec(Spec):
         if self.spectrum and known(total) and abs(total - 1.0) > _SUM:
             yield (
                 ("spectrum",),
-                f"shares add up to {100.0 * total:.6g} %: allowed: 100 %, the whole of the time",
+                f"shares add up to {100.0 * total:.6g} %: allowed: 100 %",
             )
 
     def faults_on(self, setting: Setting) -> Faults:
@@ -98,7 +98,7 @@ class LifeSpec(Spec):
             if step.speed > setting.top:
                 yield (
                     ("spectrum", index, "speed"),
-                    "beyond the speeds of the case, up to which warnings look: given "
+                    "above the speeds of the case, up to which warnings are checked: given "
                     f"{step.speed * RPM.factor:.6g} rpm; allowed: up to "
                     f"{setting.top * RPM.factor:.6g} rpm, or add speeds to the case",
                 )

@@ -203,8 +203,8 @@ def _of_bearing(result: LifeResult, k: int) -> Iterator[str]:
     if thin.any():
         last = result.speed[np.flatnonzero(thin)[-1]] * RPM.factor
         yield (
-            f"viscosity ratio κ below {LEAST_KAPPA:g} up to {last:.0f} rpm, where ISO 281 knows no "
-            "modified life; take a thicker oil"
+            f"viscosity ratio κ below {LEAST_KAPPA:g} up to {last:.0f} rpm, where ISO 281 defines "
+            "no modified life; take an oil of higher viscosity"
         )
     loaded = turning & np.isfinite(result.equivalent_load[:, k])
     if thick := no_film(loaded & (result.film[:, k] == 0.0), result.speed):
@@ -212,9 +212,9 @@ def _of_bearing(result: LifeResult, k: int) -> Iterator[str]:
     slips = result.slips[:, k]
     if slips.any():
         yield (
-            "the balls need more friction than that of the lubricant "
-            f"{which_of(result.speed, slips)}: they slip, and the heat of its contacts is a guess "
-            "there; raise the preload"
+            "the balls need more friction than the lubricant provides "
+            f"{which_of(result.speed, slips)}: they slip, and the heat of the contacts is "
+            "uncertain there; raise the preload"
         )
     life = result.spectrum_life[k]
     lives = np.array([life]) if np.isfinite(life) else result.life[:, k]
@@ -230,9 +230,9 @@ def _overloaded(result: LifeResult, k: int) -> Iterator[str]:
         yield low
     if result.spectrum_unloaded[k] > 0.0:
         yield (
-            f"the load spectrum leaves it without any load for "
+            f"the load spectrum leaves it without load for "
             f"{100.0 * result.spectrum_unloaded[k]:.3g} % of the time, where its balls do not roll "
-            "and its life means nothing; raise the preload, or change the loads"
+            "and its life is not meaningful; raise the preload, or change the loads"
         )
     if result.spectrum_safety[k] < LEAST_SAFETY:
         yield (

@@ -39,7 +39,7 @@ class MatricesResult:
         "port",
         "column",
         unit="",
-        label="motion of the port by the coordinate [1/√kg, rad/(m √kg)]",
+        label="motion of the port per unit of the coordinate [1/√kg, rad/(m √kg)]",
     )
     receptance: Complex = quantity(
         "shown_speed",
@@ -47,17 +47,21 @@ class MatricesResult:
         "frequency",
         unit="m/N, rad/N, rad/(N·m)",
         label="receptance",
-        absent=(Absence("on a pole without damping", by=("shown_speed", "frequency")),),
+        absent=(Absence("at an undamped pole", by=("shown_speed", "frequency")),),
     )
     max_frequency: float = quantity(unit="Hz", label="highest frequency asked for")
     frequency_error: float = quantity(
-        unit="1", label="relative error of frequencies", absent=(Absence("where none was sought"),)
+        unit="1",
+        label="relative error of frequencies",
+        absent=(Absence("where none is estimated"),),
     )
     receptance_error: float = quantity(
-        unit="1", label="error of receptances", absent=(Absence("where none was sought"),)
+        unit="1", label="error of receptances", absent=(Absence("where none is estimated"),)
     )
     error_asked: float = quantity(
-        unit="1", label="error of receptances asked for", infinite=(Absence("where none is"),)
+        unit="1",
+        label="error of receptances asked for",
+        infinite=(Absence("where none is asked for"),),
     )
 
     def unit(self, port: int) -> str:

@@ -22,7 +22,7 @@ class MatricesSpec(Spec):
     ports: Annotated[
         tuple[Port, ...],
         Items(),
-        "where, and in which direction, forces act and motion is read: `nose.y`",
+        "points and directions of forces and motion: `nose.y`",
     ]
 
     def _faults(self) -> Faults:
@@ -35,7 +35,7 @@ class MatricesSpec(Spec):
         if spindle.hysteretic:
             yield (
                 (),
-                "a loss factor is defined for steady vibration and has no matrix of damping: give "
+                "a loss factor is defined for steady vibration and has no damping matrix: give "
                 "damping.rotor, or damping of bearings and supports, instead",
             )
         if misnamed(spindle):

@@ -48,5 +48,5 @@ def warnings(result: MatricesResult) -> list[str]:
     return [
         "matrices: the model changes as it is refined, frequencies by up to "
         f"{result.frequency_error:.0e}, receptances between the ports by up to "
-        f"{result.receptance_error:.0e}: lower max_frequency, or hold very stiff supports rigid"
+        f"{result.receptance_error:.0e}: lower max_frequency, or make very stiff supports rigid"
     ]

@@ -31,7 +31,7 @@ class PreloadResult:
         label="axial offset of the free rings",
         absent=(
             Absence(
-                "of a sprung sleeve, and where nothing in the housing faces its bearings",
+                "of a sleeve on a spring, and where no bearing in the housing opposes its bearings",
                 by=("sleeve",),
             ),
         ),
@@ -41,7 +41,8 @@ class PreloadResult:
         *("speed", "bearing", "dof", "dof_other"),
         unit="N/m, N/rad, N·m/rad",
         label="stiffness",
-        comment="in the frame of each bearing: x the way of its thrust; where that is -x, x and z "
+        comment="in the frame of each bearing: x in the direction of its thrust; where that is "
+        "-x, x and z "
         "are opposite to those of the spindle",
     )
     inner_angle: Array = quantity(
@@ -73,7 +74,7 @@ class PreloadResult:
     slipping: NDArray[np.str_] = quantity("speed", "bearing", unit="", label="race that slips")
     growth: Array = quantity("speed", "bearing", unit="m", label="ring growth")
     film_growth: Array = quantity(
-        "speed", "bearing", unit="m", label="ring growth that oil films stand for"
+        "speed", "bearing", unit="m", label="ring growth equivalent to the oil films"
     )
     speed_factor: Array = quantity("speed", "bearing", unit="mm/min", label="speed factor n·dm")
     position: Array = quantity("speed", "body", unit="m", label="axial shift from rest")

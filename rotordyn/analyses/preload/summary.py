@@ -45,7 +45,8 @@ def summary(result: PreloadResult) -> list[str]:
             lines.append(f"friction   {name}: {from_to(force, 1)} N, within ± {limit:.4g} N")
     if (thickest := np.nanmax(result.film_growth, initial=0.0)) > 0.0:
         lines.append(
-            f"films      of oil, as a growth of the inner rings by up to {thickest * 1e6:.2f} µm"
+            "films      of oil, equivalent to a growth of the inner rings by up to "
+            f"{thickest * 1e6:.2f} µm"
         )
     return lines
 

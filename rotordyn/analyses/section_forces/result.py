@@ -54,7 +54,11 @@ class SectionForcesResult:
     support_station: Array = quantity("support", unit="m", label="station", printed=MILLIMETRE)
     reaction: Array = quantity("speed", "support", "component", unit="N, N·m", label="reaction")
     departure: Array = quantity(
-        "speed", "support", unit="1", label="departure of a bearing's load", absent=(LINEAR,)
+        "speed",
+        "support",
+        unit="1",
+        label="deviation of a bearing's load from its tangent",
+        absent=(LINEAR,),
     )
     allowed_twist: Array = quantity("twist_limit", unit="rad", label="allowed twist")
     bore: Array = quantity("twist_limit", unit="m", label="bore", printed=MILLIMETRE)
@@ -62,6 +66,6 @@ class SectionForcesResult:
     required_diameter: Array = quantity(
         *("speed", "twist_limit"),
         unit="m",
-        label="outer diameter that just keeps to it",
+        label="outer diameter at the limit of twist",
         printed=MILLIMETRE,
     )

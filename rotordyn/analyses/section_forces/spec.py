@@ -39,11 +39,11 @@ class SectionForcesSpec(Spec):
     def faults_on(self, setting: Setting) -> Faults:
         spindle, conditions = setting.spindle, setting.conditions
         if spindle.rotors:
-            yield (), "section forces take no further rotors: leave out the rotors"
+            yield (), "section forces are solved for one rotor only: leave out the rotors"
         if setting.loaded:
             yield (
                 (),
-                "section forces take their own loads, about bearings that carry axial loads alone: "
+                "section forces have their own loads, and bearings under axial load alone: "
                 "move loads and weight of the conditions to the analysis, and leave out misaligned "
                 "seats",
             )
@@ -52,7 +52,7 @@ class SectionForcesSpec(Spec):
         if not (self.loads or self.line_loads or self.unbalances or weighed or acting):
             yield (
                 (),
-                "nothing acts: allowed: at least one of loads, line_loads, unbalances, gravity",
+                "no load acts: allowed: at least one of loads, line_loads, unbalances, gravity",
             )
         for index, load in enumerate(self.loads):
             yield from placed(load.at, spindle, ("loads", index, "at"))
@@ -67,8 +67,8 @@ class SectionForcesSpec(Spec):
         if not {self.gravity, conditions.gravity} & {"", "none"}:
             yield (
                 ("gravity",),
-                f"the weight is given twice: given '{self.gravity}' beside '{conditions.gravity}' "
-                "of the conditions; allowed: one of both",
+                f"the weight is given twice: given '{self.gravity}' and '{conditions.gravity}' "
+                "in the conditions; allowed: one of the two",
             )
 
     def last_faults_on(self, setting: Setting) -> Faults:

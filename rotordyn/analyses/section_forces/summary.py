@@ -101,7 +101,7 @@ def _twists(result: SectionForcesResult) -> Iterator[str]:
         bore = f" around a bore of {result.bore[k] * 1e3:g} mm" if result.bore[k] else ""
         yield (
             f"twist      {name}: {from_to(angle, 4)}° of {allowed:.4g}° allowed, {verdict}; "
-            f"uniform outer diameter that just keeps to it{bore}: "
+            f"uniform outer diameter at the limit{bore}: "
             + unbroken(f"{from_to(result.required_diameter[:, k] * 1e3, 2)} mm")
         )
 

@@ -220,8 +220,8 @@ def checked(cut: Cut) -> Cut:
         if len(cut.pitches) != cut.teeth or abs(total - 2.0 * math.pi) > FULL or least < LEAST:
             raise InvalidInput(
                 f"pitch: given {len(cut.pitches)} angles from {math.degrees(least):.6g}°, "
-                f"{math.degrees(total):.6g}° together; allowed: one to each of {cut.teeth} teeth, "
-                f"from {math.degrees(LEAST):g}°, 360° together"
+                f"{math.degrees(total):.6g}° in total; allowed: one for each of {cut.teeth} teeth, "
+                f"from {math.degrees(LEAST):g}°, 360° in total"
             )
     if abs(cut.entry) < ROUNDED:
         cut = replace(cut, entry=0.0)
@@ -234,8 +234,8 @@ def checked(cut: Cut) -> Cut:
         )
     if not cut.pieces():
         raise InvalidInput(
-            f"entry and exit: given {cut.exit - cut.entry:.6g} rad in cut, too short to tell from "
-            f"none; allowed: from {LEAST_PIECE:g} of the angle between teeth"
+            f"entry and exit: given {cut.exit - cut.entry:.6g} rad in cut, too short to differ "
+            f"from zero; allowed: from {LEAST_PIECE:g} of the angle between teeth"
         )
     if not (cut.tangential > 0.0 and cut.radial >= 0.0):
         raise InvalidInput(

@@ -206,7 +206,7 @@ class _Loop:
         )
         if failed:
             raise NoSolution(
-                f"forces of the vibration are not found at {self.vibration.speed:.6g} rad/s: the "
+                f"forces of the vibration do not converge at {self.vibration.speed:.6g} rad/s: the "
                 "cut is near its limit of stability; take less depth"
             )
         return np.asarray(solution.reshape(-1, 2)[len(alone) - 1 :])
@@ -323,7 +323,7 @@ def milled(  # noqa: PLR0913  what a user of cutting data has at hand
     if not process_damping >= 0.0:
         raise InvalidInput(f"process_damping: given {process_damping:.6g} N/m; allowed: from 0")
     if len(runout) not in (0, teeth):
-        raise InvalidInput(f"runout: given {runout}; allowed: one to each of {teeth} teeth [m]")
+        raise InvalidInput(f"runout: given {runout}; allowed: one for each of {teeth} teeth [m]")
     lag = 2.0 * depth * math.tan(helix) / diameter
     cut = checked(Cut(teeth, tangential, radial, entry, exit, lag, tuple(pitch), tuple(runout)))
     forces = Forces(cut, depth, feed_per_tooth, tangential_edge, radial_edge)

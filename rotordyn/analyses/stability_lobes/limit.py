@@ -98,7 +98,7 @@ def limit_depth(  # noqa: PLR0913  what a user of cutting data has at hand
         return modal_limit(tip, top, process)
     if ploughing is not None:
         raise InvalidInput(
-            "process_damping: the receptance is no sum of modes, of which alone it is known: leave "
+            "process_damping: the receptance is not a sum of modes, which it needs: leave "
             "process_damping out, take method zero-order, or give a modal fit"
         )
     return sampled_limit(receptance, peaks(omega, top), top, process)
@@ -127,8 +127,8 @@ def sampled_limit(receptance: Receptance, near: Array, top: float, process: Proc
     if process.cut.interruption > MOST_INTERRUPTED:
         raise InvalidInput(
             f"entry and exit: a tooth cuts for 1/{process.cut.interruption:.3g} of its period; "
-            f"allowed of a receptance that is no sum of modes: from 1/{MOST_INTERRUPTED:g}: raise "
-            "the immersion, or leave the loss factor out"
+            f"allowed for a receptance that is not a sum of modes: from 1/{MOST_INTERRUPTED:g}: "
+            "raise the immersion, or leave the loss factor out"
         )
     angle, unclamped = folded(near, process.period), receptance
     if not process.cut.even:  # vibration may repeat with the teeth, at a phase of 0

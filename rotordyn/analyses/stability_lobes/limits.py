@@ -31,7 +31,7 @@ AT_ONCE = 1_000_000  # samples of all speeds solved together
 PARTS = 20  # number of progress reports
 TOGETHER = 1.4  # largest ratio of the periods of speeds that share samples
 NOT_MODES = (
-    "stability_lobes: with a loss factor, or with motions that nothing holds, the receptance is no "
+    "stability_lobes: with a loss factor, or with rigid-body modes, the receptance is not a "
     "sum of modes: {what}"
 )
 

@@ -84,7 +84,7 @@ class MeasuredTip:
             fit = vector_fit(omega, values, 1.0 / size[:, None], pole)
             pole = fit.pole
         raise InvalidInput(
-            "stability_lobes: the tip on the measured spindle is no sum of damped modes within "
+            "stability_lobes: the tip on the measured spindle is not a sum of damped modes within "
             f"{WITHIN:.0%}: give fewer modes of the measurement, or less loss_factor"
         )
 

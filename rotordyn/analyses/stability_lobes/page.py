@@ -67,7 +67,7 @@ def _limits(result: Any) -> Iterator[tuple[str, Any]]:
     """Yield labels and further limits [m]: band, at rest, evenly spaced teeth."""
     if banded(result):
         yield from (("least of the band", result.least), ("largest of the band", result.most))
-    yield "by the receptance at rest", result.at_rest
+    yield "with the receptance at rest", result.at_rest
     if not np.isnan(result.even).all():
         yield "with evenly spaced teeth", result.even
 

@@ -23,7 +23,7 @@ def summary(result: StabilityLobesResult) -> list[str]:
     stable = result.cut_is_stable
     if not stable.size:
         return []
-    what = f"{in_mm(result.planned_depth)} deep, {_feed(result)} by tooth"
+    what = f"{in_mm(result.planned_depth)} deep, {_feed(result)} per tooth"
     if not stable.any():
         return [f"cut        {what}: stable at none of {stable.size} speeds"]
     most_removed = number(float(np.nanmax(result.planned_removal)) * REMOVAL.factor)
@@ -62,7 +62,7 @@ def numbers(result: StabilityLobesResult) -> Iterator[Number]:
     if not result.cut_is_stable.size:
         return
     stable = not _unstable_cut(result).any() and bool(result.cut_is_stable.any())
-    absent = "not settled" if stable else "not stable"
+    absent = "not converged" if stable else "not stable"
     unsettled = (result.vibration_error > UNSETTLED) | result.edges_chatter
     complete = stable and not unsettled.any()
     worst = float(np.nanmax(_worst(result))) * MICROMETRE.factor if complete else np.nan
@@ -96,8 +96,8 @@ def warnings(result: StabilityLobesResult) -> list[str]:
     weak = np.flatnonzero(stable & (result.motor_depth < result.planned_depth))
     if weak.size:
         sentences.append(
-            f"stability_lobes: the planned cut takes more than the motor gives ({result.motor}) at "
-            f"{weak.size} of {stable.size} speeds, first at {_milling_rpm(result, int(weak[0]))}"
+            f"stability_lobes: the planned cut needs more than the motor supplies ({result.motor}) "
+            f"at {weak.size} of {stable.size} speeds, first at {_milling_rpm(result, int(weak[0]))}"
         )
     speed = result.milling_speed
     width = result.resonance_width[:-1]
@@ -108,7 +108,7 @@ def warnings(result: StabilityLobesResult) -> list[str]:
             "stability_lobes: speeds are too far apart for the resonances of the planned cut, "
             f"from {_milling_rpm(result, int(coarse[0]))} to "
             f"{_milling_rpm(result, int(coarse[-1]) + 1)}, between which errors of the surface may "
-            f"be larger: steps of {number(step, 0)} rpm show them"
+            f"be larger: take steps of {number(step, 0)} rpm to resolve them"
         )
     doubtful = np.flatnonzero(stable & (result.least <= result.planned_depth))
     if doubtful.size:
@@ -123,22 +123,22 @@ def warnings(result: StabilityLobesResult) -> list[str]:
             "stability_lobes: edge forces follow the vibration where chips begin or end with no "
             f"thickness, and may let the planned cut chatter at {edges.size} of {stable.size} "
             f"speeds, first at {_milling_rpm(result, int(edges[0]))}: vibration and surface are "
-            "not sure there; take less depth or more feed"
+            "uncertain there; take less depth or more feed"
         )
     if result.idle_teeth:
-        some = "1 tooth takes" if result.idle_teeth == 1 else f"{result.idle_teeth} teeth take"
+        some = "1 tooth removes" if result.idle_teeth == 1 else f"{result.idle_teeth} teeth remove"
         sentences.append(
-            f"stability_lobes: by their run-out {some} off nothing in the planned cut: limits of "
-            "stability are those of the teeth that do, and hold with that feed alone"
+            f"stability_lobes: by run-out {some} no material in the planned cut: limits of "
+            "stability are those of the other teeth, and are valid for that feed alone"
         )
     margin = OF_MARGIN * (result.depth / result.planned_depth - 1.0)
     departed = result.contact_departure > np.fmin(margin, DEPARTED)
     restless = np.flatnonzero((result.vibration_error > UNSETTLED) | departed)
     if restless.size:
         sentences.append(
-            f"stability_lobes: in the planned cut teeth leave the work at {restless.size} of "
+            f"stability_lobes: in the planned cut teeth lose contact at {restless.size} of "
             f"{stable.size} speeds, first at {_milling_rpm(result, int(restless[0]))}: whether the "
-            "motion that repeats with them stays is not known there, nor are vibration and surface"
+            "periodic motion is stable is not known there, nor are vibration and surface"
         )
     return sentences
 

@@ -83,7 +83,7 @@ class StabilityLobesResult:
         infinite=(NO_FLIP,),
     )
     flip_speed: Array = quantity(
-        "cutting_speed", unit="rad/s", label="speed of that", absent=(NO_FLIP,)
+        "cutting_speed", unit="rad/s", label="speed of the period doubling", absent=(NO_FLIP,)
     )
     mode_frequency: Array = quantity(
         "cutting_speed",
@@ -94,7 +94,7 @@ class StabilityLobesResult:
     mode_damping: Array = quantity(
         "cutting_speed",
         unit="1",
-        label="its damping ratio",
+        label="damping ratio of the nearest mode",
         absent=(Absence("without a chatter frequency", beside="chatter"),),
     )
     removal: Array = quantity(
@@ -119,12 +119,12 @@ class StabilityLobesResult:
         label="removal rate within the limits of stability and motor",
         printed=REMOVAL,
         absent=(NO_MOTOR,),
-        infinite=(Absence("where neither it nor chatter limits the depth", beside="loss"),),
+        infinite=(Absence("where neither motor nor chatter limits the depth", beside="loss"),),
     )
     at_rest: Array = quantity(
         "cutting_speed",
         unit="m",
-        label="stable depth of cut by the receptance at rest",
+        label="stable depth of cut with the receptance at rest",
         printed=MILLIMETRE,
         infinite=(ANY_DEPTH,),
     )
@@ -150,7 +150,9 @@ class StabilityLobesResult:
         label="chatter frequency on the measured spindle",
         absent=(NO_TEST, ANY_DEPTH),
     )
-    measured_doubt: str = quantity(unit="", label="what makes the tip on it doubtful")
+    measured_doubt: str = quantity(
+        unit="", label="what makes the tip on the measured spindle doubtful"
+    )
     measured_to: float = quantity(
         unit="Hz", label="frequency up to which the spindle is measured", absent=(NO_TEST,)
     )
@@ -172,7 +174,9 @@ class StabilityLobesResult:
     workpiece_mode: NDArray[np.int_] = coordinate(
         "workpiece_mode", unit="", label="mode of the workpiece"
     )
-    workpiece_frequency: Array = quantity("workpiece_mode", unit="Hz", label="its frequency")
+    workpiece_frequency: Array = quantity(
+        "workpiece_mode", unit="Hz", label="frequency of the mode"
+    )
     source: NDArray[np.int_] = coordinate("source", unit="", label="source of the coefficients")
     tangential: Array = quantity(
         "source", unit="Pa", label="tangential cutting coefficient", printed=MEGAPASCAL
@@ -188,8 +192,12 @@ class StabilityLobesResult:
     pocket_removal: Array = quantity(
         "pocket", unit="m³/s", label="removal rate at the limit", printed=REMOVAL
     )
-    pocket_from: Array = quantity("pocket", unit="rad/s", label="speed from which 80 % of it hold")
-    pocket_to: Array = quantity("pocket", unit="rad/s", label="speed to which 80 % of it hold")
+    pocket_from: Array = quantity(
+        "pocket", unit="rad/s", label="speed from which 80 % of the depth are stable"
+    )
+    pocket_to: Array = quantity(
+        "pocket", unit="rad/s", label="speed to which 80 % of the depth are stable"
+    )
     planned_depth: float = quantity(
         unit="m",
         label="planned depth of cut",
@@ -198,7 +206,7 @@ class StabilityLobesResult:
     )
     planned_feed: float = quantity(
         unit="m",
-        label="its feed by tooth",
+        label="planned feed per tooth",
         printed=MILLIMETRE,
         absent=(Absence("where no cut is planned"),),
     )
@@ -239,24 +247,24 @@ class StabilityLobesResult:
         absent=(CUT,),
     )
     vibration_error: Array = quantity(
-        "milling_speed", unit="1", label="error of the vibration over its size", absent=(CUT,)
+        "milling_speed", unit="1", label="relative error of the vibration", absent=(CUT,)
     )
     contact_departure: Array = quantity(
         "milling_speed",
         unit="1",
-        label="change of the vibration by its moving contact over its size",
+        label="relative change of the vibration by its moving contact",
         absent=(CUT,),
     )
     resonance_width: Array = quantity(
         "milling_speed",
         unit="1",
-        label="width of the sharpest resonance on the way to the next speed over its frequency",
+        label="relative width of the sharpest resonance between this speed and the next",
         absent=(CUT,),
     )
     edges_chatter: Flags = quantity(
         "milling_speed", unit="", label="may chatter by edge forces that follow the vibration"
     )
-    idle_teeth: int = quantity(unit="", label="teeth that do not cut")
+    idle_teeth: int = quantity(unit="", label="number of teeth that do not cut")
     modelled: float = quantity(unit="Hz", label="frequency up to which the machine is modelled")
     error: float = quantity(unit="1", label="change of a limit by a finer model")
     error_asked: float = quantity(unit="1", label="largest change asked for")

@@ -48,7 +48,7 @@ def resolving(
     if not LEAST <= largest <= MOST:
         raise InvalidInput(
             f"receptance: its largest value is {largest:.3g} m/N; allowed: {LEAST:g} to {MOST:g}, "
-            "a displacement by a force in SI units"
+            "a displacement per force in SI units"
         )
     new = np.arange(len(omega) - 1)
     for _ in range(HALVINGS):
@@ -68,7 +68,7 @@ def resolving(
     matters = np.flatnonzero(_largest_entry(value) > least)
     if matters[-1] == len(omega) - 1:
         raise InvalidInput(
-            f"receptance: it does not fall up to {high / 2.0 / math.pi:.6g} Hz: give one that "
+            f"receptance: it does not decrease up to {high / 2.0 / math.pi:.6g} Hz: give one that "
             "does, such as a modal fit"
         )
     _refuse_undamped(omega, value, at_force)
@@ -86,12 +86,12 @@ def _refuse_undamped(omega: Array, value: Complex, at_force: bool) -> None:
     at = f"{omega[_largest_entry(value).argmax()] / 2.0 / math.pi:.6g} Hz"
     if at_force and most > max(-least, DAMPED):
         raise InvalidInput(
-            f"receptance: it drives the tip instead of damping it, with its peak at {at}: at "
-            "ω > 0 its imaginary part is negative where forces are F e^(+iωt)"
+            f"receptance: it adds energy to the tip instead of damping it, with its peak at {at}: "
+            "at ω > 0 its imaginary part is negative where forces are F e^(+iωt)"
         )
     if max(-least, most) < DAMPED:
         raise InvalidInput(
-            f"receptance: nothing damps its peak at {at}, and without damping no depth of cut is "
+            f"receptance: its peak at {at} is undamped, and without damping no depth of cut is "
             "stable: give damping"
         )
 
@@ -124,7 +124,7 @@ def _finite_values(receptance: Receptance, omega: Array) -> Complex:
     if lost.any():
         raise InvalidInput(
             f"receptance: not a finite number at {omega[lost][0] / 2.0 / math.pi:.6g} Hz: it must "
-            "reach over the chatter band and beyond; extrapolate it by a modal fit"
+            "cover the chatter band and beyond; extrapolate it by a modal fit"
         )
     return value
 

@@ -216,8 +216,8 @@ def refuse_waves(spans: Spans, most: int) -> None:
         hertz = spans.top / 2.0 / math.pi
         if not spans.cut.even:
             raise InvalidInput(
-                f"pitch: forces of {len(spans.cut.gaps)} unlike teeth with modes up to {hertz:.5g} "
-                f"Hz take {spans.size} polynomials; allowed: {most}: raise the speed, take the "
+                f"pitch: forces of {len(spans.cut.gaps)} uneven teeth with modes up to {hertz:.5g} "
+                f"Hz need {spans.size} polynomials; allowed: {most}: raise the speed, take the "
                 "method zero-order, or leave those modes out (max_frequency of a case)"
             )
         raise InvalidInput(

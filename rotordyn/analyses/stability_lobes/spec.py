@@ -98,12 +98,12 @@ class PlannedCut(Description):
     depth: Annotated[CutDepth, "axial depth of cut"]
     tangential_edge: Annotated[
         EdgeForce,
-        "tangential edge coefficient Kte: edge force by length of edge in cut; it stands for wear",
+        "tangential edge coefficient Kte: edge force by length of edge in cut; it represents wear",
     ] = 0.0
     radial_edge: Annotated[EdgeForce, "radial edge coefficient Kre"] = 0.0
     runout: Annotated[
         tuple[Runout, ...],
-        "radial run-out of each tooth (positive: it stands out), in the order in which they cut",
+        "radial run-out of each tooth (positive: it protrudes), in the order in which they cut",
     ] = ()
 
 
@@ -137,10 +137,10 @@ class StabilityLobesSpec(Spec):
     feed: Annotated[
         Angle, "direction of the feed, from z in the sense of rotation of the spindle"
     ] = 0.0
-    turning: Annotated[Turning | None, "instead of milling; zero order is exact"] = None
+    turning: Annotated[Turning | None, "turning in place of milling; zero order is exact"] = None
     process_damping: Annotated[
         Ploughing,
-        "force normal to the cut surface by velocity there, times cutting speed, per depth",
+        "force normal to the cut surface per normal velocity, times cutting speed, per depth",
     ] = 0.0
     interval: Annotated[Interval, "uncertainties from which the band of the limits follows"] = (
         field(default_factory=Interval)
@@ -156,12 +156,12 @@ class StabilityLobesSpec(Spec):
     measured_spindle: Annotated[
         MeasuredSpindle | None,
         "measured receptances of a spindle, with the tool of the case coupled to them; "
-        "its lobes stand beside those of the computed machine "
+        "its lobes are drawn with those of the computed machine "
         "([how](howto/measured_spindle.md))",
     ] = None
     max_frequency: Annotated[
         Frequency,
-        "frequency up to which the machine is modelled, raised while limits change by that",
+        "frequency up to which the machine is modelled, raised while that changes the limits",
     ] = 4000.0
     speeds: Annotated[
         tuple[TopSpeed, ...],
@@ -171,7 +171,7 @@ class StabilityLobesSpec(Spec):
     pitch: Annotated[
         tuple[Pitch, ...],
         "angles from each tooth to the one that cut before it, in the order in which "
-        "they cut, 360° together (within 0.1°, to which they are scaled); evenly spaced "
+        "they cut, 360° in total (within 0.1°, to which they are scaled); evenly spaced "
         "by default",
     ] = ()
     cut: Annotated[
@@ -236,17 +236,17 @@ class StabilityLobesSpec(Spec):
         if not count or not self.teeth or total != total:
             pass  # no pitch, or a fault reported already
         elif count != self.teeth:
-            yield ("pitch",), f"given {count} in number; allowed: {self.teeth}, one to each tooth"
+            yield ("pitch",), f"given {count} in number; allowed: {self.teeth}, one for each tooth"
         elif abs(total - 2.0 * math.pi) > ROUND:
             yield (
                 ("pitch",),
-                f"given {math.degrees(total):.6g}° together; allowed: 360°, a full turn",
+                f"given {math.degrees(total):.6g}° in total; allowed: 360°, a full turn",
             )
         if self.cut is not None and self.teeth and len(self.cut.runout) not in (0, self.teeth):
             count = len(self.cut.runout)
             yield (
                 ("cut", "runout"),
-                f"given {count} in number; allowed: {self.teeth}, one to each tooth",
+                f"given {count} in number; allowed: {self.teeth}, one for each tooth",
             )
         given = [self.tangential is not None, self.radial is not None]
         if self.workpiece is None and not all(given):
@@ -275,11 +275,14 @@ class StabilityLobesSpec(Spec):
                 yield from self._measured_faults(self.measured_spindle, setting.spindle)
         yield from self._diameter_faults(setting.spindle)
         if setting.conditions.formulation == ROTATING:
-            yield (), "the cut stands still: given beside rotating; allowed: formulation inertial"
+            yield (
+                (),
+                "the cut does not rotate: given beside rotating; allowed: formulation inertial",
+            )
         if undamped(setting.spindle):
             yield (
                 (),
-                "nothing in the machine is damped, so that no cut is stable: give damping.rotor, "
+                "the machine is undamped, so that no cut is stable: give damping.rotor, "
                 "damping.bearings, or damping of supports",
             )
         for index, speed in enumerate(self.speeds):
@@ -313,6 +316,6 @@ class StabilityLobesSpec(Spec):
         if self.point and not at_front(spindle, self.point):
             yield (
                 ("point",),
-                "coupling gives the tip of the tool: given {given}; allowed: the point at its "
+                "coupling computes the tip of the tool: given {given}; allowed: the point at its "
                 "front end, or no measured_spindle",
             )

@@ -98,7 +98,7 @@ def _material(result: StabilityLobesResult) -> list[str]:
         unbroken(" and ".join(number(value * MEGAPASCAL.factor, 0) for value in pair))
         for pair in pairs
     )
-    also = f"; by other sources {', '.join(others)}" if others else ""
+    also = f"; from other sources {', '.join(others)}" if others else ""
     name = result.workpiece or "workpiece"
     return [f"material   {name}, Ktc and Krc [MPa]: {first}{also}", *flexible]
 
@@ -216,7 +216,7 @@ def _at_rest(result: StabilityLobesResult) -> list[str]:
     if ratio <= MOVED:
         return []
     return [
-        f"at rest    its receptance misleads most at {_rpm(result, row)}: "
+        f"at rest    its limit differs most at {_rpm(result, row)}: "
         f"{in_mm(result.at_rest[row])} in place of {in_mm(result.depth[row])}"
     ]
 
@@ -278,7 +278,7 @@ def warnings(result: StabilityLobesResult) -> list[str]:
             f"the mode at {number(hertz)} Hz" if hertz > 0.0 else "a motion that does not oscillate"
         )
         sentences.append(
-            "stability_lobes: unstable by itself, without a cut, at "
+            "stability_lobes: the machine is unstable without a cut at "
             f"{growing.size} of {len(result.depth)} speeds of the cutter, first at "
             f"{_rpm(result, first)}, where {what} grows: no depth is stable there"
         )
@@ -287,14 +287,14 @@ def warnings(result: StabilityLobesResult) -> list[str]:
         rpm = number(result.cutting_speed[flips[0]] * RPM.factor, 0)
         sentences.append(
             f"period doubling limits {flips.size} of {len(result.depth)} speeds, first at {rpm} "
-            "rpm: zero-order limits do not see it"
+            "rpm: zero-order limits do not include it"
         )
     folds = np.flatnonzero(np.array(result.loss) == FOLD)
     if folds.size:
         rpm = number(result.cutting_speed[folds[0]] * RPM.factor, 0)
         sentences.append(
             f"vibration that repeats with the pattern of teeth limits {folds.size} of "
-            f"{len(result.depth)} speeds, first at {rpm} rpm: zero-order limits do not see it"
+            f"{len(result.depth)} speeds, first at {rpm} rpm: zero-order limits do not include it"
         )
     if result.measured_doubt:
         sentences.append(f"stability_lobes: on the measured spindle {result.measured_doubt}")
@@ -302,7 +302,7 @@ def warnings(result: StabilityLobesResult) -> list[str]:
         sentences += part(result)
     if result.error > result.error_asked:
         percent = f"by {number(100.0 * result.error, 0)} %"
-        amount = percent if np.isfinite(result.error) else "from none or to none"
+        amount = percent if np.isfinite(result.error) else "from or to no limit"
         sentences.append(
             f"stability_lobes: limits still change {amount} with modes above "
             f"{number(result.modelled, 0)} Hz: raise max_frequency, or give damping to such modes"
@@ -348,7 +348,7 @@ def _skipped(result: StabilityLobesResult) -> list[str]:
     return [
         "stability_lobes: speeds are too far apart for the lobes from "
         f"{number(speed[first] * RPM.factor, 0)} to {_rpm(result, last)}, between which limits may "
-        f"be lower: steps of {number(step * RPM.factor, 0)} rpm show them from the first on"
+        f"be lower: take steps of {number(step * RPM.factor, 0)} rpm there to resolve them"
     ]
 
 
@@ -365,6 +365,6 @@ def _flips(result: StabilityLobesResult) -> list[str]:
     more = f" and {len(others) - MOST} more speeds" if len(others) > MOST else ""
     return [
         "stability_lobes: between speeds period doubling limits the cut, at about "
-        f"{speed[lowest]} rpm to {in_mm(result.flip_depth[lowest])} where limits beside it are "
+        f"{speed[lowest]} rpm to {in_mm(result.flip_depth[lowest])}, where adjacent limits are "
         f"{in_mm(adjacent[lowest])} and more{also}{more}: add speeds there"
     ]

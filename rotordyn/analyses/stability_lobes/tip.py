@@ -161,7 +161,7 @@ class Tip:
         rpm = self._speed[row] * RPM.factor
         hertz = pole[row, column].imag / (2.0 * math.pi)
         raise InvalidInput(
-            f"stability_lobes: nothing damps the mode at {hertz:.5g} Hz and {rpm:.0f} rpm, and "
+            f"stability_lobes: the mode at {hertz:.5g} Hz and {rpm:.0f} rpm is undamped, and "
             "without damping no depth of cut is stable: give damping"
         )
 

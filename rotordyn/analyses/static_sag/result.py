@@ -27,12 +27,14 @@ class StaticSagResult:
     point: str = quantity(unit="", label="point")
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
     station: Array = coordinate("station", unit="m", label="station", printed=MILLIMETRE)
-    gauge: Array = coordinate("gauge", unit="m", label="gauge in front", printed=MILLIMETRE)
+    gauge: Array = coordinate(
+        "gauge", unit="m", label="distance of the gauge in front", printed=MILLIMETRE
+    )
     direction: Words = coordinate("direction", unit="", label="direction")
     ring: Words = coordinate("ring", unit="", label="ring")
-    true_ring: Words = coordinate("true_ring", unit="", label="bearing without runout given")
+    true_ring: Words = coordinate("true_ring", unit="", label="bearing without a given runout")
     follows_speed: Words = coordinate(
-        "follows_speed", unit="", label="bearing or support that follows the speed"
+        "follows_speed", unit="", label="bearing or support that depends on the speed"
     )
     weight: Array = quantity("direction", unit="1", label="direction of the weight")
     outcome: Words = quantity("speed", unit="", label="outcome")

@@ -20,8 +20,8 @@ class RingRunout(Description):
     """Radial runout of an inner ring: full reading of a gauge over a turn, twice the
     eccentricity of its groove."""
 
-    bearing: Annotated[Name, "the bearing, or a support that stands for one"]
-    runout: Annotated[Eccentricity, "Kia of the ring, as a gauge reads it (ISO 492)"]
+    bearing: Annotated[Name, "the bearing, or a support that represents one"]
+    runout: Annotated[Eccentricity, "Kia of the ring, full reading of a dial gauge (ISO 492)"]
     angle: Annotated[Angle, "where the ring is thickest, from y towards z"] = 0.0
 
 
@@ -35,8 +35,8 @@ class StaticSagSpec(Spec):
     point: Annotated[Name, "the nose, or the tool point"]
     gravity: Annotated[
         Annotated[str, Choice(GRAVITY)] | None,
-        "direction of the weight, `none` of a vertical spindle; by default that of the conditions, "
-        "or `-y` where they have none",
+        "direction of the weight, `none` for a vertical spindle; by default that of the "
+        "conditions, or `-y` where they have none",
     ] = None
     gauges: Annotated[
         tuple[Station, ...],
@@ -60,7 +60,7 @@ class StaticSagSpec(Spec):
     def faults_on(self, setting: Setting) -> Faults:
         spindle, conditions = setting.spindle, setting.conditions
         if spindle.rotors:
-            yield (), "the static sag takes no further rotors: leave them out"
+            yield (), "the static sag is solved for one rotor only: leave out the rotors"
         for sentence in unknown("point", self.point, spindle.points):
             yield ("point",), sentence
         names = [*(s.name for s in spindle.seats), *(s.name for s in spindle.supports)]
@@ -75,8 +75,8 @@ class StaticSagSpec(Spec):
         ):
             yield (
                 ("gravity",),
-                f"another weight than that of the conditions: given '{gravity}' beside "
-                f"'{conditions.gravity}'; leave it out: the sag is then by that one",
+                f"differs from the weight of the conditions: given '{gravity}', in the conditions "
+                f"'{conditions.gravity}'; leave it out to use that of the conditions",
             )
 
     def last_faults_on(self, setting: Setting) -> Faults:

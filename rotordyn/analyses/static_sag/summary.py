@@ -30,7 +30,8 @@ def summary(result: StaticSagResult) -> list[str]:
         lines += [
             f"runout     of {result.point}, full reading of a gauge [µm] {runout}; with the rings "
             f"at other angles up to {highest}",
-            "           the sag does not turn: it shifts the reading and is no part of the runout",
+            "           the sag does not rotate: it shifts the reading and is not part of the "
+            "runout",
         ]
     return lines
 
@@ -55,13 +56,14 @@ def warnings(result: StaticSagResult) -> list[str]:
     if result.ring and result.true_ring:
         sentences.append(
             f"runout of {result.point}: no ring runout is given for bearings "
-            f"{', '.join(result.true_ring)}, which hold it as if they ran true: give theirs"
+            f"{', '.join(result.true_ring)}, which are assumed to run true: give theirs"
         )
     slow = float(result.speed[_slowest(result)])
     if slow > 0.0 and result.follows_speed:
         sentences.append(
             f"sag of {result.point}: the slowest speed solved is {slow * RPM.factor:.0f} rpm, "
-            "where bearings are not as stiff as where sag and runout are measured: add 0 rpm"
+            "where bearings are not as stiff as at rest, at which sag and runout are measured: add "
+            "0 rpm"
         )
     difference = np.diff(result.deflection, axis=1)
     length = np.diff(result.station)[:, None]

@@ -40,12 +40,16 @@ class StiffnessResult:
         "speed",
         "bearing",
         unit="N",
-        label="radial force from which balls carry nothing",
+        label="radial force from which a ball carries no load",
         absent=(Absence("where no force of the range unloads a ball", by=("speed", "bearing")),),
     )
     unloaded_ball: Array = quantity(
         "speed", "bearing", unit="1", label="ball that is unloaded first", absent=(NONE,)
     )
     unloaded_azimuth: Array = quantity(
-        "speed", "bearing", unit="rad", label="azimuth of that ball", absent=(NONE,)
+        "speed",
+        "bearing",
+        unit="rad",
+        label="azimuth of the ball that is unloaded first",
+        absent=(NONE,),
     )

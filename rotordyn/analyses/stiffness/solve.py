@@ -31,8 +31,8 @@ UNIT = np.array([0.0, 1.0, 0.0, 0.0, 0.0, 0.0])  # [N] along y
 REACHED = 1e-12  # m
 SHORT_STOP = "short_stop"
 FALLS = (
-    "the negative stiffness of a support is stronger than what holds the shaft: lower it, or hold "
-    "the shaft more stiffly"
+    "the negative stiffness of a support exceeds the stiffness of bearings and other supports: "
+    "lower it, or support the shaft more stiffly"
 )
 
 

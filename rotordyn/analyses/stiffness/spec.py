@@ -49,7 +49,8 @@ class StiffnessSpec(Spec):
             if present:
                 yield (
                     (),
-                    f"the radial stiffness takes no {what}: ask frf at a low frequency instead",
+                    f"the radial stiffness does not model {what}: use frf at a low frequency "
+                    "instead",
                 )
         for sentence in unknown("point", self.point, spindle.points):
             yield ("point",), sentence
@@ -77,6 +78,6 @@ class StiffnessSpec(Spec):
                 yield (
                     (),
                     f"support '{support.name}' couples plane y or the axis to other motions "
-                    f"({entries}): the radial stiffness is solved in plane y alone; ask frf at a "
+                    f"({entries}): the radial stiffness is solved in plane y alone; use frf at a "
                     "low frequency instead",
                 )

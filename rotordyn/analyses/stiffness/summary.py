@@ -40,7 +40,7 @@ def warnings(result: StiffnessResult) -> list[str]:
         sentences.append(
             f"bearing {name}: its ball {result.unloaded_ball[row, k]:.0f}, at {angle:.0f}° from y "
             f"towards z, loses contact under a radial force of {force[row]:.4g} N at "
-            f"{result.speed[row] * RPM.factor:.0f} rpm, and is more flexible from there: "
+            f"{result.speed[row] * RPM.factor:.0f} rpm, and the bearing is more flexible above it: "
             "raise its preload, or keep the force below"
         )
     return sentences

@@ -33,6 +33,6 @@ class ThermalPreloadSpec(Spec):
         if setting.conditions.heat_flow is not None:
             yield (
                 (),
-                "adds to given temperatures, and these follow from conditions.heat_flow; allowed: "
+                "adds to given temperatures, but these follow from conditions.heat_flow; allowed: "
                 "without heat_flow",
             )

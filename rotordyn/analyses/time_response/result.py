@@ -10,7 +10,7 @@ from rotordyn.results.kinds import Array, Words
 
 MILLISECOND = Shown("ms", 1e3)
 OPEN = Absence("of a sleeve without a stop, or whose stop stays closed", by=("speed", "sleeve"))
-ENDED = Absence("from the time on at which the response ends", by=("speed", "time"))
+ENDED = Absence("after the end of the response", by=("speed", "time"))
 POINT, BEARING, SLEEVE = ("speed", "point"), ("speed", "bearing"), ("speed", "sleeve")
 
 
@@ -40,7 +40,7 @@ class TimeResponseResult:
     force: Words = coordinate("force", unit="", label="force")
     outcome: Words = quantity("speed", unit="", label="outcome")
     ended: Array = quantity("speed", unit="s", label="end of the response", printed=MILLISECOND)
-    ending: Words = quantity("speed", unit="", label="why it ends early")
+    ending: Words = quantity("speed", unit="", label="reason for an early end")
     applied: Array = quantity("time", "force", unit="N", label="applied force")
     displacement: Array = quantity(
         "speed", "time", "point", "axis", unit="m", label="displacement", absent=(ENDED,)
@@ -62,7 +62,7 @@ class TimeResponseResult:
         *POINT,
         unit="m",
         label="largest displacement in the last quarter of the time",
-        absent=(Absence("where the response ends before", by=("speed",)),),
+        absent=(Absence("where the response ends earlier", by=("speed",)),),
     )
     largest_time: Array = quantity(
         *POINT, unit="s", label="time of the largest displacement", printed=MILLISECOND
@@ -78,12 +78,14 @@ class TimeResponseResult:
         *BEARING,
         unit="Pa",
         label="largest contact pressure",
-        infinite=(Absence("where contacts are crushed", by=BEARING),),
+        infinite=(Absence("where contacts are overloaded", by=BEARING),),
     )
     pressure_time: Array = quantity(
         *BEARING, unit="s", label="time of the largest pressure", printed=MILLISECOND
     )
-    peak_idle: Array = quantity(*BEARING, unit="", label="most balls without inner load")
+    peak_idle: Array = quantity(
+        *BEARING, unit="", label="largest number of balls without inner load"
+    )
     unloaded_time: Array = quantity(
         *BEARING, unit="s", label="time with no ball loaded", printed=MILLISECOND
     )
@@ -100,20 +102,20 @@ class TimeResponseResult:
     stop_error: Array = quantity(
         *SLEEVE,
         unit="1",
-        label="change of the stop force by the last halving of the steps, over the larger",
+        label="relative change of the stop force by the last halving of the steps",
         absent=(Absence("of a sleeve without a stop that closes", by=("speed", "sleeve")),),
     )
     holding: Array = quantity(
         *SLEEVE,
         unit="1",
-        label="largest force over what holds the sleeve",
-        absent=(Absence("of a sleeve that nothing holds", by=("speed", "sleeve")),),
+        label="largest force over the force that holds the sleeve",
+        absent=(Absence("of a sleeve without a force that holds it", by=("speed", "sleeve")),),
     )
-    unbalances: int = quantity(unit="", label="unbalances that act")
+    unbalances: int = quantity(unit="", label="number of unbalances")
     friction_limit: Array = quantity("sleeve", unit="N", label="limit of dry friction")
     error: Array = quantity("point", unit="1", label="estimated error over the largest value")
     error_asked: float = quantity(
         unit="1",
-        label="largest error asked for, over that value",
+        label="largest error asked for, over the largest value",
         infinite=(Absence("where none is asked for"),),
     )

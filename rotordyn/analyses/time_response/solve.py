@@ -39,12 +39,12 @@ from rotordyn.scene.scene import Scene
 HALVINGS = 4  # of the steps, at most
 HALF = 0.5  # of the requested error, allowed to model and steps each
 ENDINGS = {
-    True: "no balance of the bearings is found",
+    True: "the equilibrium of the bearings does not converge",
     False: f"it moves farther than {FAR * 1e3:g} mm",
 }
 WIDE = (
-    f"the steady orbit, on which time_response begins, is wider than {FAR * 1e3:g} mm, as at a "
-    "critical speed that little damps: give damping, or take another speed"
+    f"the steady orbit, on which time_response begins, exceeds {FAR * 1e3:g} mm, as at a lightly "
+    "damped critical speed: give damping, or take another speed"
 )
 
 

@@ -42,11 +42,11 @@ class ForceOverTime(Description):
     """
 
     at: Annotated[At, "where it acts: a point or station"]
-    direction: Annotated[str, Choice(DIRECTIONS), "along which axis it acts"]
+    direction: Annotated[str, Choice(DIRECTIONS), "axis along which the force acts"]
     name: Annotated[OptionalName, "name in results; by default its number"] = ""
     force: Annotated[Force | None, "constant force, or the amplitude of a sine or half sine"] = None
-    start: Annotated[Instant, "when it begins"] = 0.0
-    end: Annotated[LastInstant, "when it ends"] = math.inf
+    start: Annotated[Instant, "time at which the force begins"] = 0.0
+    end: Annotated[LastInstant, "time at which the force ends"] = math.inf
     frequency: Annotated[Frequency | None, "frequency of a sinusoidal force"] = None
     phase: Annotated[Angle, "phase of a sinusoidal force at its start; 90° for a cosine"] = 0.0
     pulse: Annotated[TimeSpan | None, "duration of a half sine"] = None
@@ -64,7 +64,7 @@ class ForceOverTime(Description):
             given = "neither" if self.force is None else "both"
             yield (
                 ("force",),
-                f"its size, or a table of times and forces: given {given}; allowed: one of both",
+                f"a force, or a table of times and forces: given {given}; allowed: one of both",
             )
         if self.end <= self.start:
             yield ("end",), "not after the start: given {given}; allowed: a later time"
@@ -75,11 +75,14 @@ class ForceOverTime(Description):
         if self.frequency is not None and self.pulse is not None:
             yield ("pulse",), "given beside a frequency: a force has one shape, leave one out"
         if self.frequency is None and self.phase:
-            yield ("phase",), "only a sinusoidal force has one: give its frequency, or leave it out"
+            yield (
+                ("phase",),
+                "only a sinusoidal force has a phase: give its frequency, or leave phase out",
+            )
         if self.period is None:
             return
         if self.pulse is None:
-            yield ("period",), "only half sines are repeated: give the pulse, or leave it out"
+            yield ("period",), "only half sines are repeated: give the pulse, or leave period out"
         elif self.period < self.pulse:
             yield ("period",), "shorter than the pulse: given {given}; allowed: at least the pulse"
 
@@ -90,9 +93,9 @@ class ForceOverTime(Description):
             yield (key,), "given beside a table of times and forces: leave one of both out"
         if len(self.times) != len(self.forces):
             counts = f"given {len(self.times)} and {len(self.forces)}"
-            yield ("forces",), f"times and forces are not as many: {counts}"
+            yield ("forces",), f"times and forces differ in number: {counts}"
         if len(self.times) == 1:
-            yield ("times",), "a table has two times at least: given one"
+            yield ("times",), "a table needs at least two times: given one"
         yield from ascending("times", self.times)
 
 
@@ -107,11 +110,11 @@ class TimeResponseSpec(Spec):
     duration: Annotated[TimeSpan, "simulated time"]
     max_frequency: Annotated[
         Frequency,
-        "frequency up to which the machine is modelled; forces have none above it, and "
-        "results are given "
-        f"{SAMPLES} times in its period",
+        "highest frequency of the model; forces contain no higher frequency, and "
+        "results have "
+        f"{SAMPLES} samples per period of it",
     ]
-    points: Annotated[tuple[PointName, ...], Items(), "points whose motion is given"]
+    points: Annotated[tuple[PointName, ...], Items(), "points whose motion is computed"]
     forces: Annotated[tuple[ForceOverTime, ...], "forces on the shaft"] = ()
     unbalances: Annotated[tuple[Unbalance, ...], "unbalances at points or stations"] = ()
     stop_stiffness: Annotated[
@@ -148,7 +151,7 @@ class TimeResponseSpec(Spec):
         yield from repeated("points", self.points)
         yield from repeated("forces", self.names, "name", said="name given twice:")
         if not (self.forces or self.unbalances):
-            yield (), "nothing acts: allowed: at least one of forces, unbalances"
+            yield (), "no load acts: allowed: at least one of forces, unbalances"
         if not (known(self.duration) and known(self.max_frequency)):
             return
         if self.samples > MOST_SAMPLES:
@@ -174,7 +177,7 @@ class TimeResponseSpec(Spec):
             if (force.times[0] if force.times else force.start) >= self.duration:
                 yield (
                     ("forces", index, key),
-                    f"not within the duration: allowed: a beginning before {self.duration:g} s",
+                    f"begins after the end of the duration: allowed: before {self.duration:g} s",
                 )
 
     def faults_on(self, setting: Setting) -> Faults:
@@ -182,7 +185,11 @@ class TimeResponseSpec(Spec):
         if setting.conditions.formulation == ROTATING:
             yield (), "motion over time is that of the fixed frame: take formulation: inertial"
         if setting.conditions.films is not None:
-            yield (), "bearings over time have no oil films: leave films out of the conditions"
+            yield (
+                (),
+                "the response over time does not model oil films: leave films out of the "
+                "conditions",
+            )
         if spindle.hysteretic:
             yield (
                 (),
@@ -216,7 +223,7 @@ class TimeResponseSpec(Spec):
             if not sleeve.mass:
                 yield (
                     ("stop_stiffness",),
-                    f"sleeve {sleeve.name} has no mass with which it would strike its stop: give "
+                    f"sleeve {sleeve.name} has no mass, which an impact on its stop needs: give "
                     "its mass, or leave stop_stiffness out",
                 )
 
@@ -230,7 +237,7 @@ class TimeResponseSpec(Spec):
             if ratio * top > self.max_frequency:
                 yield (
                     ("max_frequency",),
-                    "below the speed at which unbalance turns: given {given}; allowed: from "
+                    "below the frequency of rotation of an unbalance: given {given}; allowed: from "
                     f"{ratio * top:g} Hz",
                 )
                 return

@@ -84,7 +84,7 @@ def accuracy(result: TimeResponseResult) -> list[str]:
         return []
     worst = float(result.error.max(initial=0.0))
     if worst >= 1.0:
-        return ["response over time not known"]
+        return ["response over time not converged"]
     return [f"response over time within {rounded_up(worst)} of its largest value"]
 
 
@@ -94,18 +94,18 @@ def warnings(result: TimeResponseResult) -> Iterator[str]:
         if why:
             yield (
                 f"time_response: at {_rpm(result, row)} the motion is computed up to "
-                f"{result.ended[row] * MILLISECOND.factor:.5g} ms, from where on {why}: lower the "
-                "forces, or look at what holds the machine and at its stability"
+                f"{result.ended[row] * MILLISECOND.factor:.5g} ms, after which {why}: lower the "
+                "forces, or check the supports of the machine and its stability"
             )
     yield from _sleeves(result)
     for k, name in enumerate(result.bearing):
         peak = np.nan_to_num(result.peak_pressure[:, k], posinf=np.inf)
         if peak.max() > HIGHEST_PRESSURE:
             yield (
-                f"time_response: contacts of bearing {name} are crushed at "
+                f"time_response: contacts of bearing {name} are overloaded at "
                 f"{_rpm(result, int(peak.argmax()))} (pressures above "
-                f"{HIGHEST_PRESSURE * GIGAPASCAL.factor:g} GPa), where results mean nothing: lower "
-                "the forces"
+                f"{HIGHEST_PRESSURE * GIGAPASCAL.factor:g} GPa), where results are not valid: "
+                "lower the forces"
             )
         elif sentence := pressed(f"time_response, bearing {name}", result.speed, peak):
             yield sentence
@@ -113,8 +113,8 @@ def warnings(result: TimeResponseResult) -> Iterator[str]:
         row = int(unloaded.argmax())
         if unloaded[row] > 0.0:
             yield (
-                f"time_response: all balls of bearing {name} come off its inner race at "
-                f"{_rpm(result, row)}, for {unloaded[row] * MILLISECOND.factor:.3g} ms altogether: "
+                f"time_response: all balls of bearing {name} lose contact with its inner race at "
+                f"{_rpm(result, row)}, for {unloaded[row] * MILLISECOND.factor:.3g} ms in total: "
                 "raise the preload, or lower the forces"
             )
     worst = float(result.error.max(initial=0.0))
@@ -124,7 +124,7 @@ def warnings(result: TimeResponseResult) -> Iterator[str]:
             f"time_response: the motion of {point} is less accurate than asked for: an estimated "
             f"error of {rounded_up(worst)} of its largest value remains after refinement"
             if worst < 1.0
-            else f"time_response: the motion of {point} is not known: the last halving of the "
+            else f"time_response: the motion of {point} does not converge: the last halving of the "
             "steps still changed it by more than its largest value; raise max_frequency, which "
             "shortens them"
         )
@@ -140,24 +140,25 @@ def _sleeves(result: TimeResponseResult) -> Iterator[str]:
         row = int(gap.argmin())
         if gap[row] < 0.0:
             yield (
-                f"time_response: sleeve {name} would go {-gap[row] * MICROMETRE.factor:.3g} µm "
-                f"beyond its end stop at {_rpm(result, row)}; stops stay as they are in the "
-                f"response, which is right only up to there{'' if rubs else CLOSES}"
+                f"time_response: sleeve {name} would move {-gap[row] * MICROMETRE.factor:.3g} µm "
+                f"beyond its end stop at {_rpm(result, row)}; stops do not change in the "
+                f"response, which is valid only up to there{'' if rubs else CLOSES}"
             )
         error = np.nan_to_num(result.stop_error[:, k])
         worst = int(error.argmax())
         if error[worst] > UNSURE:
             yield (
-                f"time_response: the largest force of the stop of sleeve {name} is known to "
-                f"{100.0 * error[worst]:.0f} % only at {_rpm(result, worst)}: its knocks are "
-                "shorter than the steps resolve; raise max_frequency, or take a softer stop"
+                f"time_response: the largest force of the stop of sleeve {name} has an error of "
+                f"{100.0 * error[worst]:.0f} % at {_rpm(result, worst)}: its impacts are "
+                "shorter than the time steps resolve; raise max_frequency, or use a softer stop"
             )
         row = int(holding.argmax())
         if holding[row] > GIVES:
             yield (
-                f"time_response: {holding[row]:.3g} times what holds sleeve {name}, "
-                f"{'dry friction' if rubs else 'its stop'}, pulls at it at {_rpm(result, row)}; it "
-                f"stays in the response, which is right only up to there{'' if rubs else OPENS}"
+                f"time_response: the force on sleeve {name} reaches {holding[row]:.3g} times that "
+                f"of {'dry friction' if rubs else 'its stop'}, which holds it, at "
+                f"{_rpm(result, row)}; it stays fixed in the response, which is valid only up to "
+                f"there{'' if rubs else OPENS}"
             )
 
 

@@ -14,7 +14,7 @@ from rotordyn.scene.linearity import LINEAR
 
 NO_RUN = Absence("of a run without a solution", by=("run",))
 RUNAWAY = 1e3  # times the largest value of steady rotation: larger motion on a run is growth
-FEWER = Absence("behind the last peak", last="resonance")
+FEWER = Absence("beyond the last peak", last="resonance")
 
 
 @dataclass(frozen=True)
@@ -65,18 +65,24 @@ class UnbalanceResult:
         "speed", "support", unit="N", label="amplitude of the force, zero to peak"
     )
     departure: Array = quantity(
-        "speed", "support", unit="1", label="departure of a bearing's load", absent=(LINEAR,)
+        "speed",
+        "support",
+        unit="1",
+        label="deviation of a bearing's load from its tangent",
+        absent=(LINEAR,),
     )
-    rotor: str = quantity(unit="", label="rotor out of balance")
-    grade_speed: float = quantity(unit="rad/s", label="highest speed of service of the grade")
-    speed_ratio: float = quantity(unit="1", label="its speed over that of the spindle")
+    rotor: str = quantity(unit="", label="rotor with unbalance")
+    grade_speed: float = quantity(unit="rad/s", label="highest service speed of the grade")
+    speed_ratio: float = quantity(unit="1", label="speed ratio of the rotor to the spindle")
     unbalance_station: Array = quantity("unbalance", unit="m", label="station", printed=MILLIMETRE)
     unbalance_size: Array = quantity(
         "unbalance", unit="kg·m", label="unbalance", printed=GRAM_MILLIMETRE
     )
     unbalance_angle: Array = quantity("unbalance", unit="rad", label="angle")
     critical_speed: Array = quantity("critical", unit="rad/s", label="critical speed, 1× rotation")
-    critical_damping: Array = quantity("critical", unit="1", label="damping ratio there")
+    critical_damping: Array = quantity(
+        "critical", unit="1", label="damping ratio at the critical speed"
+    )
     fine_speed: Array = coordinate("fine_speed", unit="rad/s", label="speed")
     fine_displacement: Complex = quantity(
         "fine_speed",
@@ -131,14 +137,14 @@ class UnbalanceResult:
         "fine_speed",
         "support",
         unit="1",
-        label="departure of a bearing's load",
+        label="deviation of a bearing's load from its tangent",
         absent=(LINEAR._replace(by=("fine_speed", "support")),),
     )
     force_unbounded: Array = quantity(
         "support",
         unit="rad/s",
-        label="speed at which nothing limits the force",
-        absent=(Absence("of a force that is limited", by=("support",)),),
+        label="speed at which the force is unbounded",
+        absent=(Absence("of a bounded force", by=("support",)),),
     )
     film_orbit: Array = quantity(
         "fine_speed",
@@ -155,7 +161,7 @@ class UnbalanceResult:
     film_ratio: Array = quantity(
         "support",
         unit="1",
-        label="orbit over the clearance that the film is computed for",
+        label="orbit over the clearance for which the film is computed",
         absent=(Absence("of bearings and supports", by=("support",)),),
     )
     resonance: NDArray[np.int_] = coordinate("resonance", unit="", label="resonance")
@@ -168,10 +174,10 @@ class UnbalanceResult:
         unit="m",
         label="major half axis at the peak",
         absent=(FEWER,),
-        infinite=(Absence("at a critical speed without damping", beside="critical_damping"),),
+        infinite=(Absence("at an undamped critical speed", beside="critical_damping"),),
     )
     run: Words = coordinate("run", unit="", label="run through the speeds")
-    run_speed: Array = coordinate("run_speed", unit="rad/s", label="speed on the way")
+    run_speed: Array = coordinate("run_speed", unit="rad/s", label="speed during the run")
     run_outcome: Words = quantity("run", unit="", label="outcome of the run")
     run_amplitude: Array = quantity(
         "run",
@@ -185,7 +191,7 @@ class UnbalanceResult:
         "run", "point", unit="m", label="largest half axis on a run", absent=(NO_RUN,)
     )
     run_peak_speed: Array = quantity(
-        "run", "point", unit="rad/s", label="speed there", absent=(NO_RUN,)
+        "run", "point", unit="rad/s", label="speed of the largest half axis", absent=(NO_RUN,)
     )
     run_force: Array = quantity(
         "run",
@@ -199,13 +205,13 @@ class UnbalanceResult:
         "run", "support", unit="N", label="largest force on a run", absent=(NO_RUN,)
     )
     run_force_peak_speed: Array = quantity(
-        "run", "support", unit="rad/s", label="speed there", absent=(NO_RUN,)
+        "run", "support", unit="rad/s", label="speed of the largest force", absent=(NO_RUN,)
     )
     run_departure: Array = quantity(
         "run",
         "support",
         unit="1",
-        label="departure of a bearing's load on a run",
+        label="deviation of a bearing's load from its tangent on a run",
         absent=(NO_RUN, LINEAR._replace(by=("run", "support"))),
     )
     run_error: Array = quantity(
@@ -217,12 +223,15 @@ class UnbalanceResult:
     unstable_from: Array = quantity("unstable_range", unit="rad/s", label="unstable from")
     unstable_to: Array = quantity("unstable_range", unit="rad/s", label="unstable to")
     unstable_pole: Complex = quantity(
-        "unstable_range", unit="rad/s", label="pole of what grows fastest", printed=PER_SECOND
+        "unstable_range",
+        unit="rad/s",
+        label="pole of the fastest growing motion",
+        printed=PER_SECOND,
     )
-    model_frequency: float = quantity(unit="Hz", label="frequency that the model is made for")
+    model_frequency: float = quantity(unit="Hz", label="highest frequency of the model")
     error: Array = quantity("point", unit="1", label="estimated error over the largest value")
     error_asked: float = quantity(
         unit="1",
-        label="largest error asked for, over that value",
+        label="largest error asked for, over the largest value",
         infinite=(Absence("where none is asked for"),),
     )

@@ -209,7 +209,7 @@ class _SpeedRange:
         if too_far.any():
             value = abs(run.first + run.acceleration * time * instants[int(too_far.argmax())])
             rpm = value / abs(self.ratio) * RPM.factor
-            how = "grows by itself beyond" if grows else "is wider than"
+            how = "is unstable and exceeds" if grows else "exceeds"
             raise NoSolution(f"the motion {how} {FAR * 1e3:g} mm, from {rpm:.0f} rpm on")
         return half, moved[:, 2 * pairs :].reshape(len(moved), -1, len(RING))
 
@@ -235,7 +235,9 @@ class _SpeedRange:
         scene = self.scene.at(self.speed[new])
         lost = [k for k, why in enumerate(scene.outcome) if why]
         if lost:
-            raise NoSolution(f"no state on the way, at {scene.speed[lost[0]] * RPM.factor:.6g} rpm")
+            raise NoSolution(
+                f"no solution during the run, at {scene.speed[lost[0]] * RPM.factor:.6g} rpm"
+            )
         self.slowest[new] = slowest_pole(scene, self.spec)
         parts = [self._subsystem(scene, k) for k in out_of_balance(scene, self.spec)]
         if self.solved and [each.whirl for each in parts] != [each.whirl for each in self.solved]:
@@ -260,8 +262,8 @@ class _SpeedRange:
         linear, modes = motions.linear, motions.modes
         if (modes.condition > APART).any():
             raise NoSolution(
-                "it needs modes that are clearly apart: motions that nothing holds, or that are "
-                "just critically damped, have none"
+                "it needs distinct modes: rigid-body modes, and modes that are just critically "
+                "damped, are not distinct"
             )
         load = load_of(scene, linear, self.spec)
         force, (*rows, direct) = (

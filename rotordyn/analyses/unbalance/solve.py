@@ -247,7 +247,7 @@ def _absences(motions: FreeMotions, speed: Array) -> list[str]:
     spin, size = speed[:, None], np.abs(speed)[:, None]
     near = np.abs(synchronous.pole - 1j * size) <= UNDAMPED * size
     undamped = (near & (synchronous.whirl * spin >= 0.0)).any(axis=1) & (speed != 0.0)
-    why = "a critical speed without damping: the response grows without bound"
+    why = "an undamped critical speed: the response grows without bound"
     return [why if flag else "" for flag in undamped]
 
 

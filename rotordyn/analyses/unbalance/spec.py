@@ -22,10 +22,10 @@ class UnbalanceSpec(Spec):
     All of ``unbalances``, ``spans`` and ``grade`` act together.
     """
 
-    points: Annotated[tuple[PointName, ...], Items(), "where motion is given"]
+    points: Annotated[tuple[PointName, ...], Items(), "points whose motion is computed"]
     unbalances: Annotated[tuple[Unbalance, ...], "unbalances at points or stations"] = ()
     spans: Annotated[
-        tuple[EccentricSpan, ...], "spans of the shaft whose centre of mass is off the axis"
+        tuple[EccentricSpan, ...], "spans of the shaft with an eccentric centre of mass"
     ] = ()
     grade: Annotated[
         BalanceGrade | None,
@@ -33,27 +33,27 @@ class UnbalanceSpec(Spec):
     ] = None
     run_up: Annotated[
         tuple[Duration, ...],
-        "times in which the speed rises evenly from the first to the last one of the case, past "
-        "its resonances: the motion of the points on the way",
+        "durations of runs with constant acceleration from the first to the last speed of the "
+        "case, through its resonances: the motion of the points during the run is computed",
     ] = ()
-    run_down: Annotated[tuple[Duration, ...], "run-down times, likewise"] = ()
+    run_down: Annotated[tuple[Duration, ...], "durations of run-downs, likewise"] = ()
 
     def _faults(self) -> Faults:
         yield from repeated("points", self.points)
         for key in ("run_up", "run_down"):
             yield from repeated(key, map(run_name, getattr(self, key)))
         if not (self.unbalances or self.spans or self.grade):
-            yield (), "nothing is out of balance: allowed: at least one of unbalances, spans, grade"
+            yield (), "there is no unbalance: allowed: at least one of unbalances, spans, grade"
 
     def faults_on(self, setting: Setting) -> Faults:
         spindle, speeds = setting.spindle, setting.speeds
         for key in ("run_up", "run_down"):
             if getattr(self, key) and len(speeds) < 2 and all(map(known, speeds)):
-                yield (key,), "needs two speeds of the case, from which and to which it goes"
+                yield (key,), "needs two speeds of the case, at which the run begins and ends"
             if getattr(self, key) and spindle.hysteretic:
                 yield (
                     (key,),
-                    "loss factors are known for steady vibration alone: give damping of rotor or "
+                    "loss factors are defined for steady vibration alone: give damping of rotor or "
                     "supports in place of loss_factor",
                 )
         if misnamed(spindle):
@@ -82,7 +82,11 @@ class UnbalanceSpec(Spec):
                 first[ratio] = rotor
                 if len(first) > 1:
                     others = " and ".join(f"'{name}'" for name in first.values())
-                    yield path, f"rotors {others} turn at different speeds: ask of one at a time"
+                    yield (
+                        path,
+                        f"rotors {others} rotate at different speeds: give the unbalance of one at "
+                        "a time",
+                    )
 
     def _acting(self) -> Iterator[tuple[Path, str | float]]:
         """Yield the path of keys, and point or station, of every unbalance."""

@@ -71,7 +71,9 @@ def _grade(result: UnbalanceResult) -> str:
     top = float(result.speed[-1])
     if result.grade_speed == 0.0 or abs(result.grade_speed - top) <= SAME * top:
         return ""
-    beyond = "above all of the case" if result.grade_speed > top else "coarser than that beyond"
+    beyond = (
+        "above all speeds of the case" if result.grade_speed > top else "a coarser grade above it"
+    )
     return f"; the grade is for {result.grade_speed * RPM.factor:.0f} rpm, {beyond}"
 
 
@@ -108,7 +110,7 @@ def _unbounded(result: UnbalanceResult, place: int) -> str:
 
 
 def _endless(speed: float) -> str:
-    return f"unbounded at {speed * RPM.factor:.0f} rpm, nothing damps"
+    return f"unbounded at {speed * RPM.factor:.0f} rpm, undamped"
 
 
 def _peak(values: Array, form: str) -> str:
@@ -128,7 +130,7 @@ def _backward(result: UnbalanceResult) -> list[str]:
     for name, values in zip(result.point, excess.T, strict=True):
         ranges = [_from_to(*ends) for ends in above_zero(result.fine_speed, values)]
         words += [unbroken(f"{name} {' and '.join(ranges)}")] if ranges else []
-    sense = "backward" if result.speed_ratio > 0.0 else "against the spindle"
+    sense = "backward" if result.speed_ratio > 0.0 else "opposite to the spindle"
     return [f"           whirl {sense}: {', '.join(words)}"] if words else []
 
 
@@ -166,7 +168,7 @@ def accuracy(result: UnbalanceResult) -> list[str]:
     grows = (result.run_peak > RUNAWAY * steady).any(axis=1)
     errors = result.run_error[np.isfinite(result.run_error) & ~grows]
     if errors.size:
-        lines.append(f"runs within {rounded_up(float(errors.max()))} by parts")
+        lines.append(f"runs within {rounded_up(float(errors.max()))} by refinement")
     return lines
 
 
@@ -205,7 +207,7 @@ def _run_warnings(result: UnbalanceResult) -> Iterator[str]:
     grows = [f"{_from_to(*ends)} it {how_it_grows(pole, highest)}" for *ends, pole in ranges]
     for name, error in zip(result.run, result.run_error, strict=True):
         if error > ENOUGH:
-            clear = ", clear of those at which the machine is unstable: errors grow there, too"
+            clear = ", without those at which the machine is unstable, where errors grow, too"
             yield (
                 f"unbalance: the run {name} has an estimated error of {rounded_up(error)} of its "
                 f"peak: take a shorter time, or a shorter range of speeds{clear if grows else ''}"
@@ -213,8 +215,8 @@ def _run_warnings(result: UnbalanceResult) -> Iterator[str]:
     if result.run and grows:
         yield (
             "unbalance: the runs pass speeds at which the machine is unstable: "
-            f"{'; '.join(grows)}. What grows by itself there is in them, and one that begins there "
-            "begins in steady motion that the machine does not reach"
+            f"{'; '.join(grows)}. The unstable motion is part of them, and a run that begins there "
+            "begins in a steady motion that the machine does not reach"
         )
 
 
@@ -264,15 +266,15 @@ def _films(result: UnbalanceResult) -> Iterator[str]:
             continue
         where = f"{number(float(result.fine_speed[row]) * RPM.factor, 0)} rpm"
         remedy = (
-            "no film allows that"
+            "no film allows such an orbit"
             if orbit[row] > MOST
-            else f"look for the eccentricity_ratio that comes out, from {100.0 * orbit[row]:.0f} % "
-            f"to {100.0 * ratio:.0f} %"
+            else "find the eccentricity_ratio that agrees with the orbit, from "
+            f"{100.0 * orbit[row]:.0f} % to {100.0 * ratio:.0f} %"
             if orbit[row] < ratio
             else f"try eccentricity_ratio: {100.0 * orbit[row]:.0f} %"
         )
         yield (
             f"unbalance: the largest orbit in squeeze film {name} is {100.0 * orbit[row]:.0f} % of "
-            f"its clearance, at {where}, and the film is computed for {100.0 * ratio:.0f} %: "
+            f"its clearance, at {where}, but the film is computed for {100.0 * ratio:.0f} %: "
             f"{remedy}"
         )

@@ -16,5 +16,5 @@ ANALYSIS = in_folder(
     bearings=True,
     unsteady=True,
     tables=LAYOUTS,
-    heading="largest axial load while it warms up",
+    heading="largest axial load during warm-up",
 )

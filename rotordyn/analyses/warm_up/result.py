@@ -9,9 +9,9 @@ from rotordyn.results.kinds import Array, Words
 
 OVER = ("speed", "time", "bearing")
 BY = ("speed", "bearing")
-LATER = Absence("after its end, where it ends early", last="time")
-UNBALANCED = Absence("where temperatures reach no balance", by=BY)
-UNFITTED = Absence("for rings without a fit that presses as mounted", by=("bearing",))
+LATER = Absence("after the end, where the warm-up ends early", last="time")
+UNBALANCED = Absence("where there is no thermal balance", by=BY)
+UNFITTED = Absence("for rings without an interference fit as mounted", by=("bearing",))
 NONE_THROUGH = Absence("where every speed ends early")
 ENOUGH = 1.0  # K: largest change by the last halving, small against the error of all hypotheses
 

@@ -28,18 +28,18 @@ class WarmUpSpec(Spec):
     ]
     balls: Annotated[
         HeatCapacity | None,
-        "heat capacity of all balls of a bearing; by default that of their mass, 460 J/(kg K) of "
-        "steel, 700 of silicon nitride",
+        "heat capacity of all balls of a bearing; by default that of their mass, 460 J/(kg K) for "
+        "steel, 700 for silicon nitride",
     ] = None
     start: Annotated[
         CoolTemperature | None,
-        "temperature of balls and rings at the start; by default the balance with "
+        "temperature of balls and rings at the start; by default thermal balance with "
         "shaft, housing and oil without heat",
     ] = None
     shaft_time_constant: Annotated[
         Duration | None,
-        "time constant of the shaft: within it 63 % of the way from `start` to its final "
-        "temperature is covered, and its length follows; by default it has the final temperature "
+        "time constant of the shaft: within it 63 % of the change from `start` to its final "
+        "temperature takes place, and its length follows; by default it has the final temperature "
         "from the start",
     ] = None
     housing_time_constant: Annotated[Duration | None, "time constant of the housing, likewise"] = (
@@ -48,13 +48,13 @@ class WarmUpSpec(Spec):
 
     def faults_on(self, setting: Setting) -> Faults:
         if setting.conditions.heat_flow is None:
-            yield (), "needs to know how heat flows off: give heat_flow in the conditions"
+            yield (), "needs the heat flow: give heat_flow in the conditions"
         for key in ("shaft_time_constant", "housing_time_constant"):
             if getattr(self, key) is not None and self.start is None:
-                yield (key,), "needs the temperature from which it counts: give start beside it"
+                yield (key,), "needs the temperature at the start: give start, too"
         if setting.spindle.rubs:
             yield (
                 (),
-                "sleeves that dry friction holds depend on what happened before: leave their "
+                "the positions of sleeves with dry friction depend on their history: leave their "
                 "friction out",
             )

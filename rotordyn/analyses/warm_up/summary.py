@@ -99,7 +99,7 @@ def warnings(result: WarmUpResult) -> Iterator[str]:
             yield f"at {_rpm(result, row)} {why}"
     if result.error > ENOUGH:
         yield (
-            f"the shortest steps of time still move temperatures by {result.error:.2g} K, and "
+            f"the shortest time steps still change temperatures by {result.error:.2g} K, and "
             "loads with them: take a shorter duration"
         )
     yield from _overshoot(result)
@@ -115,7 +115,7 @@ def _unbalanced(result: WarmUpResult) -> Iterator[str]:
         if why and not result.ending[row]:
             yield (
                 f"no thermal balance, {why}; the first {in_words(result.ended[row])} do not show "
-                "it, a longer duration does"
+                "it, take a longer duration"
             )
 
 
@@ -139,7 +139,7 @@ def _still_warming(result: WarmUpResult) -> Iterator[str]:
             f"{balance[part, row, k]:.0f} °C in balance"
         )
         if remaining[part, row, k] < rise[part, row, k]:
-            what += f", {100.0 * ratio[part, row, k]:.0f} % of the way still to come"
+            what += f", {100.0 * ratio[part, row, k]:.0f} % of the change remaining"
     yield (
         f"bearing {result.bearing[k]} is still warming up at the end: {what}; take a longer "
         "duration"
@@ -159,12 +159,12 @@ def _overshoot(result: WarmUpResult) -> Iterator[str]:
     worst = np.where(above, result.largest_load, 0.0)
     row, k = (int(place) for place in np.unravel_index(int(worst.argmax()), worst.shape))
     others = [name for j, name in enumerate(result.bearing) if j != k and above[:, j].any()]
-    also = f" (also, by less, {', '.join(others)})" if others else ""
+    also = f" (also, to a lesser extent, {', '.join(others)})" if others else ""
     yield (
-        f"bearing {result.bearing[k]} carries {result.largest_load[row, k]:.0f} N along its axis "
+        f"bearing {result.bearing[k]} carries {result.largest_load[row, k]:.0f} N axially "
         f"{in_words(result.largest_time[row, k])} after the start at {_rpm(result, row)}, "
         f"{share[row, k]:.2g} times that of the warm spindle{also}: pressure, friction and life "
-        "are worse there than in the steady state; warm it up at lower speeds, or take springs"
+        "are worse there than in the steady state; warm it up at lower speeds, or use springs"
     )
 
 
@@ -190,9 +190,9 @@ def _loose_rings(result: WarmUpResult) -> Iterator[str]:
         span = begin if begin == end else f"{begin} to {end}"
         when = f"from {begin} after the start on" if on else f"{span} after the start"
         yield (
-            f"bearing {result.bearing[k]}: the fit of its {ring} ring lets go while it warms up, "
-            f"{when} at {_rpm(result, row)}{also}; there the ring grows without the {part}: raise "
-            "its interference, or warm it up at lower speeds"
+            f"bearing {result.bearing[k]}: the fit of its {ring} ring lets go during "
+            f"warm-up, {when} at {_rpm(result, row)}{also}; there the ring expands without the "
+            f"{part}: raise its interference, or warm it up at lower speeds"
         )
 
 
@@ -203,9 +203,9 @@ def _yielding_rings(result: WarmUpResult) -> Iterator[str]:
         return
     row, at, k = (int(place) for place in np.unravel_index(int(stress.argmax()), stress.shape))
     yield (
-        f"bearing {result.bearing[k]}: its inner ring yields under its fit while it warms up, "
-        f"{stress[row, at, k] / 1e6:.0f} MPa after Tresca {in_words(result.time[at])} after the "
-        f"start at {_rpm(result, row)}, allowed {YIELD / 1e6:g}; lower the interference"
+        f"bearing {result.bearing[k]}: its inner ring yields under its fit during warm-up, Tresca "
+        f"stress {stress[row, at, k] / 1e6:.0f} MPa {in_words(result.time[at])} after the "
+        f"start at {_rpm(result, row)}, allowed {YIELD / 1e6:g} MPa; lower the interference"
     )
 
 

@@ -52,11 +52,11 @@ class Axial:
             yield f"measurement {self.name}: needs a spindle with bearings"
             return
         if acts_across(spindle, case.conditions):
-            yield f"measurement {self.name}: takes no loads across the axis: leave them out"
+            yield f"measurement {self.name}: needs no loads across the axis: leave them out"
         if case.conditions.history:
             yield f"measurement {self.name}: is run up from rest: leave out the history"
         if case.conditions.heat_flow is not None:
-            yield f"measurement {self.name}: takes no heat flow: give temperatures"
+            yield f"measurement {self.name}: needs no heat flow: give temperatures"
         body = self._body
         known = (SHAFT, *(sleeve.name for sleeve in spindle.sleeves))
         if body not in known:

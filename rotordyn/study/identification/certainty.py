@@ -211,6 +211,6 @@ def inseparable(unknowns: tuple[Sought, ...], sure: Certainty) -> list[str]:
                 what = "difference" if rho > 0.0 else "sum"
                 sentences.append(
                     f"{unknowns[j].name} and {one.name} can hardly be separated: ρ {rho:+.2f}, "
-                    f"their {what} is known best"
+                    f"their {what} is determined best"
                 )
     return sentences

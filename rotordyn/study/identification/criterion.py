@@ -88,11 +88,9 @@ class FitCriterion:
         if self.most is not None:
             reason = f"allowed {self.most:.3g}"
         elif sure.degrees < 1:
-            reason = "no more points than values: nothing is left to check it by"
+            reason = "no more points than values: no degree of freedom is left to check it"
         else:
-            reason = (
-                f"{_of_noise(sure)} in the root mean square, as noise alone may be: {_test(sure)}"
-            )
+            reason = f"{_of_noise(sure)} in the root mean square, as noise may cause: {_test(sure)}"
         return f"sufficient: differs by {residual:.3g} {self.unit} in the mean, {reason}"
 
 

@@ -28,7 +28,7 @@ def _profiles(result: Identification) -> dict[str, Any]:
     return {
         "profile_interval": (("unknown", "end"), ends, {"long_name": meaning}),
         "profile_unknown": ("profile_point", np.array(paths, dtype=object)),
-        "profile_value": ("profile_point", value, {"long_name": "value held, SI"}),
+        "profile_value": ("profile_point", value, {"long_name": "fixed value, SI"}),
         "profile_excess": (
             "profile_point",
             excess,

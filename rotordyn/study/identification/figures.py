@@ -253,5 +253,5 @@ def _models(result: Identification) -> Figure:
     beside.set_yticks([])
     heads = [shortened(each.heading, 26) for each in paths.values()]
     beside.set_xticks(range(len(paths)), heads, rotation=90, fontsize=FONT_SIZE - 2.0)
-    beside.set_title("between their ends, orange on one", fontsize=FONT_SIZE - 1.0)
+    beside.set_title("between their ends, orange at an end", fontsize=FONT_SIZE - 1.0)
     return head(figure, _titled(result))

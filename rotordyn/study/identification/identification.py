@@ -200,7 +200,7 @@ class Identification:
         limits = [] if reasons else best.at_limits
         bound = [name for name in best.on_bounds if name not in limits]
         if bound:
-            what = f"{', '.join(bound)} {'stands' if len(bound) == 1 else 'stand'} {ON_A_BOUND}"
+            what = f"{', '.join(bound)} {'is' if len(bound) == 1 else 'are'} {ON_A_BOUND}"
             reasons.append(f"{what}: the model lacks a phenomenon, or the bound is too tight")
         return reasons
 
@@ -215,8 +215,8 @@ class Identification:
         lines = [f"{INSUFFICIENT}: " + "; ".join(reasons) if reasons else kept]
         if best.fit.limited:
             lines.append(
-                f"{UNFINISHED}: it took the most machines allowed, so that no interval is known: "
-                "begin nearer (start), or seek fewer unknowns"
+                f"{UNFINISHED}: the largest number of machines is reached, so that no interval is "
+                "known: start nearer to the solution (start), or identify fewer unknowns"
             )
         lines += [remark for each in best.beside for remark in each.remarks]
         for word in (IDENTIFIED, BY_ITS_PRIOR, UNIDENTIFIABLE):
@@ -226,8 +226,9 @@ class Identification:
         idle = [u.name for u, i in zip(best.problem.unknowns, best.sure.idle, strict=True) if i]
         if reasons and idle:
             lines.append(
-                f"no measurement follows {', '.join(idle)} at the best machine found, as of a stop "
-                "that is never met: searches from other starts may find a better one (starts)"
+                f"no measurement depends on {', '.join(idle)} at the best machine found, as with a "
+                "stop that is never reached: searches from other starts may find a better one "
+                "(starts)"
             )
         lines += inseparable(best.problem.unknowns, best.sure)
         if best.fit.absolute is not None:
@@ -235,7 +236,9 @@ class Identification:
         lines += remarks(self.profiles, best.problem, best.sure)
         others = self.surviving
         if len(others) > 1:
-            lines.append(f"{UNDECIDED}: {len(others)} models explain it alike: {'; '.join(others)}")
+            lines.append(
+                f"{UNDECIDED}: {len(others)} models explain it equally well: {'; '.join(others)}"
+            )
         return lines
 
     @property

@@ -68,7 +68,7 @@ class Data:
         if not n:
             raise InvalidInput(f"measurement {self.name}: holds no points")
         if not np.isfinite(self.observed).all():
-            raise InvalidInput(f"measurement {self.name}: has points that are no numbers")
+            raise InvalidInput(f"measurement {self.name}: has points that are not numbers")
         if not (self.deviation > 0.0).all():
             raise InvalidInput(
                 f"measurement {self.name}: a deviation is a number above 0, got "

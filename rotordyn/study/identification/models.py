@@ -86,7 +86,7 @@ def _model(
     wanted = unknowns if phase.unknowns is None else tuple(known[word] for word in phase.unknowns)
     held = {each.path for each in wanted} & {*phase.values}
     if held:
-        raise InvalidInput(f"phase {name}: {min(held)} is sought and held: one of both")
+        raise InvalidInput(f"phase {name}: {min(held)} is both an unknown and fixed: one of both")
     words = [_said(case, path, value) for path, value in chosen.items()]
     label = ", ".join(part for part in (name, *words) if part) or "the case"
     holds = {**phase.values, **chosen}

@@ -129,7 +129,7 @@ class Numbers:
         for asked, here in zip(self.speed / RPM, at, strict=True):
             if not here.any():
                 raise InvalidInput(
-                    f"measurement {self.name}: {self.of} is known at "
+                    f"measurement {self.name}: {self.of} is given at "
                     f"{' and '.join(f'{each:.6g}' for each in sorted(set(rpm.tolist())))} rpm, the "
                     f"first and the last of all speeds measured, not at {asked:.6g} rpm: "
                     f"{self._variables(trial)}"
@@ -143,8 +143,8 @@ class Numbers:
         if len(ends) != len(self.speed) or not np.allclose(self.speed, ends, ALIKE, ALIKE):
             listed = ", ".join(f"{each:.6g} rpm" for each in ends / RPM)
             raise InvalidInput(
-                f"measurement {self.name}: {self.of} is several numbers, not each of a speed of "
-                f"its own: give as speeds the first and the last of all measured, {listed}, or "
+                f"measurement {self.name}: {self.of} consists of several numbers, not one for each "
+                f"speed: give as speeds the first and the last of all measured, {listed}, or "
                 f"{self._variables(trial)}"
             )
 

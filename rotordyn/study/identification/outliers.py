@@ -32,7 +32,7 @@ def outliers(
         far.sort(key=lambda each: -each[0])
         more = f" and {len(far) - MOST} more" if len(far) > MOST else ""
         yield (
-            f"points that stand off by more than {FAR:g} deviations of the others: "
-            f"{'; '.join(words for _, words in far[:MOST])}{more}; measure them again: beside "
-            "a kink, or where few points determine a value, intervals do not know of them"
+            f"points that differ by more than {FAR:g} deviations of the others: "
+            f"{'; '.join(words for _, words in far[:MOST])}{more}; measure them again: near "
+            "a kink, or where few points determine a value, intervals do not include them"
         )

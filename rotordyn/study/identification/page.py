@@ -81,7 +81,7 @@ def identification_page(folder: Path) -> Page:
     stopped = " Stopped before the end: the best so far." if content.about["stopped"] else ""
     return Page(
         title=str(content.about["title"]),
-        about=["Identification: a case held against what was measured", content.date],
+        about=["Identification: a case compared with measurements", content.date],
         verdict=f"{'✕' if grave else '⚠' if doubts or stopped else '✓'} {first}.{stopped}",
         grave=grave,
         sections=sections([*_blocks(content)]),
@@ -216,7 +216,7 @@ def _correlation(content: Held) -> Chart:
         "yaxis": axis("", type="category", autorange="reversed"),
         "showlegend": False,
     }
-    note = "±1: the data know only the difference, or the sum, of two."
+    note = "±1: the data determine only the difference, or the sum, of two."
     return Chart("Correlation", [trace], layout, note=note, wide=True, tall=ROOM + CELL * count)
 
 
@@ -250,7 +250,7 @@ def _profiles(content: Held) -> Chart:
         "yaxis": axis("χ² above the best"),
         "moving": {"xaxis.title.text": heads},
     }
-    note = "All others are sought anew at each value; the interval ends where the line is met."
+    note = "All others are identified again at each value; the interval ends at the line."
     controls = [Control("unknown", heads)]
     return Chart("Profiles", traces, layout, controls, note=note, wide=True)
 
@@ -273,5 +273,5 @@ def _predictions(content: Held) -> Table:
         known = table["measured"].values[k]
         rows.append([*cells, f"{known:.4g}" if np.isfinite(known) else "–"])
     head = ["", "value", "95 %", *["over surviving models"] * several, "measured"]
-    note = "The interval does not know what the model lacks."
+    note = "The interval does not include errors of the model."
     return Table("Predictions", head, rows, note)

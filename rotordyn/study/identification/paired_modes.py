@@ -93,7 +93,7 @@ def _remarks(of: Responses, modes: list[Mode]) -> Iterator[str]:
             hertz = np.array(of.of_speed(speed)[0].frequency)[fit.outliers]
             more = f" and {len(hertz) - MOST} more" if len(hertz) > MOST else ""
             yield (
-                f"at {speed * RPM.factor:.0f} rpm lines stand alone, as no mode does: "
+                f"at {speed * RPM.factor:.0f} rpm isolated lines belong to no mode: "
                 f"{', '.join(f'{each:.6g}' for each in hertz[:MOST])} Hz{more}; they are not "
                 "compared: measure them again"
             )

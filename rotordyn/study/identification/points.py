@@ -34,7 +34,7 @@ def read_points(
     try:
         lines = path.read_text(encoding="utf-8-sig").splitlines()
     except (OSError, UnicodeDecodeError) as error:
-        why = getattr(error, "strerror", None) or "is no text in UTF-8"
+        why = getattr(error, "strerror", None) or "is not text in UTF-8"
         raise InvalidInput(f"{path}: cannot be read: {why}") from None
     rows = [
         (number, row)
@@ -113,7 +113,7 @@ def _number(path: Path, line: int, name: str, cell: str) -> float:
     except ValueError:
         value = np.nan
     if not np.isfinite(value):
-        raise InvalidInput(f"{path}:{line}: {name} is no number: given {shown(cell.strip())}")
+        raise InvalidInput(f"{path}:{line}: {name} is not a number: given {shown(cell.strip())}")
     return value
 
 

@@ -42,7 +42,7 @@ def profiles(result: Identification) -> Figure:
     for axes in panels[::columns]:
         axes.set_ylabel("χ² above the best", fontsize=FONT_SIZE - 1.0)
     top_legend(figure, *panels)
-    words = "all others sought anew at each value"
+    words = "all others identified again at each value"
     return head(figure, f"{result.title or result.name}: {words}")
 
 

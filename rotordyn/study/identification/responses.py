@@ -99,12 +99,12 @@ class Responses(AsksNothing):
 
     def _noise_refusals(self, one: MeasuredResponse, at: str) -> Iterator[str]:
         if self.averages is not None and not one.coherence:
-            yield f"{at} has no coherence, which averages are for: give noise instead"
+            yield f"{at} has no coherence, which averages need: give noise instead"
         elif self.averages is None and self.noise is None:
             yield f"{at}: give noise, or averages beside a coherence"
         elif np.median(self._relative(one)) >= SWAMPED:
             yield (
-                f"{at}: noise swamps it, {100.0 * np.median(self._relative(one)):.0f} % of the "
+                f"{at}: noise dominates it, {100.0 * np.median(self._relative(one)):.0f} % of the "
                 "response at half of the frequencies"
             )
 
@@ -160,8 +160,8 @@ class Responses(AsksNothing):
         for one in responses:
             if fault := self._turned(one):
                 raise InvalidInput(
-                    f"measurement {self.name}: {one.pair} at {_rpm(speed)} is no driving point: "
-                    f"{fault}"
+                    f"measurement {self.name}: {one.pair} at {_rpm(speed)} is not that of a "
+                    f"driving point: {fault}"
                 )
         omega = 2.0 * np.pi * np.array(responses[0].frequency)
         with linear_algebra_alone():
@@ -186,8 +186,8 @@ class Responses(AsksNothing):
             most = order[: 1 + int(np.searchsorted(np.cumsum(e[order]), MOST_ERROR * e.sum()))]
             hertz = np.array(one.frequency)[most]
             raise InvalidInput(
-                f"measurement {self.name}: noise swamps {one.pair} at {_rpm(speed)}: no sum of "
-                f"modes comes nearer than {100.0 * SWAMPED:.0f} % of its size, and "
+                f"measurement {self.name}: noise dominates {one.pair} at {_rpm(speed)}: no sum of "
+                f"modes fits it within {100.0 * SWAMPED:.0f} % of its size, and "
                 f"{len(most)} of its {len(h)} lines, {hertz.min():g} to {hertz.max():g} Hz, make "
                 f"{100.0 * MOST_ERROR:.0f} % of the error: omit such lines, or give averages "
                 "beside a coherence"

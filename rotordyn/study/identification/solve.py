@@ -106,7 +106,7 @@ def _require_measurements(case: Case, measurements: Sequence[Measurement]) -> No
             size = float(np.ptp(data.observed)) * data.factor
             noise = float(data.deviation.min()) * data.factor
             raise InvalidInput(
-                f"measurement {data.name}: noise swamps it: its points differ by {size:.3g} "
+                f"measurement {data.name}: noise dominates it: its points differ by {size:.3g} "
                 f"{data.unit}, their deviation is {noise:.3g} {data.unit}: leave it out, or check "
                 "both units"
             )
@@ -118,8 +118,8 @@ def _require_points(every: Sequence[Model], measurements: Sequence[Measurement])
         priors = sum(each.deviation is not None for each in model.unknowns)
         if len(model.unknowns) > count + priors:
             raise InvalidInput(
-                f"unknowns: {len(model.unknowns)} are sought, more than numbers measured "
-                f"({count}) and priors ({priors}): seek fewer, measure more points, or give priors"
+                f"unknowns: {len(model.unknowns)} are given, more than numbers measured "
+                f"({count}) and priors ({priors}): give fewer, measure more points, or give priors"
             )
 
 

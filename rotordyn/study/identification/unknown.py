@@ -107,7 +107,7 @@ def sought(case: Case, asked: Mapping[str, Unknown]) -> tuple[Sought, ...]:
     paths = [path for each in found for path in (each.path, *each.also)]
     for path in paths:
         if paths.count(path) > 1:
-            raise InvalidInput(f"{path}: is sought twice")
+            raise InvalidInput(f"{path}: is an unknown twice")
     return tuple(found)
 
 
@@ -154,7 +154,8 @@ def _require_fractions(case: Case, path: str, low: float, high: float) -> None:
         accept(found_at(case, path)[0][1], low + (high - low) / math.pi)
     except Refused:
         raise InvalidInput(
-            f"{path}: holds whole numbers, between which nothing is sought: give them as hypotheses"
+            f"{path}: holds whole numbers, between which there are no values: give them as "
+            "hypotheses"
         ) from None
 
 
@@ -195,7 +196,7 @@ def _number(case: Case, path: str, value: object) -> float:
         raise InvalidInput(f"{path}{refusal.place}: {refusal.why}") from None
     if isinstance(accepted, bool) or not isinstance(accepted, float | int):
         raise InvalidInput(
-            f"{path}: holds no number, so that it cannot be sought: {shown(accepted)}"
+            f"{path}: holds no number, so that it cannot be identified: {shown(accepted)}"
         )
     return float(accepted)
 

@@ -102,7 +102,7 @@ def _front(optimum: Optimum) -> Figure:
     x, y = _pairs(optimum.front)
     axes.plot(x, y, "-D", ms=4.0, lw=1.0, color=ORANGE, mec="black", mew=0.4, label="front")
     start = optimum.start.goals
-    axes.plot(*start, "^", ms=6.0, color="black", label="the case as it stands")
+    axes.plot(*start, "^", ms=6.0, color="black", label="the unchanged case")
     axes.set_xlabel(f"{shortened(optimum.problem.goals[0].words, 70)} [{optimum.units[0]}]")
     axes.set_ylabel(f"{shortened(optimum.problem.goals[1].words, LONGEST)} [{optimum.units[1]}]")
     axes.legend(fontsize=FONT_SIZE - 1.0, loc="best")

@@ -33,7 +33,7 @@ from rotordyn.study.solve import Progress
 if TYPE_CHECKING:
     import xarray as xr
 
-UNSETTLED = "The trials ended before the search had settled: more of them may go further."
+UNSETTLED = "The trials ended before the search converged: more trials may improve the result."
 ALIKE = 1e-6  # relative difference of costs that rounding of the parameters may cause
 BINDING = 1e-3  # margin of a limit, or distance from an end over the range, that counts as binding
 
@@ -113,12 +113,14 @@ class Optimum:
         if self.best is not None:
             binding = self.binding
             lines = [
-                f"The best is held by {'; '.join(binding)}." if binding else "No limit holds it."
+                f"The best is limited by {'; '.join(binding)}."
+                if binding
+                else "No limit is active."
             ]
             cost = cost_of(self.problem, 0)
             least = cost(self.best)
             if self.start.feasible and cost(self.start) < least - ALIKE * abs(least):
-                lines.append("The case as it stands is none of the choices, and better.")
+                lines.append("The unchanged case is none of the choices, and better.")
             lines += self.absent
             return lines if self.settled else [*lines, UNSETTLED]
         solved = [each for each in self.trials if each.goals]
@@ -131,7 +133,7 @@ class Optimum:
             if top.margins[k] < 0.0:
                 value = top.readings[k]
                 nearest = (
-                    f"nearest reads {value:.4g} {unit}" if value == value else "value is absent"
+                    f"nearest value is {value:.4g} {unit}" if value == value else "value is absent"
                 )
                 lines.append(f"{limit.words}: cannot be kept, the {nearest}.")
         absent = [
@@ -147,7 +149,7 @@ class Optimum:
                 if margin < 0.0
             ]
             lines.append(
-                "Each limit is kept by some, but not all by one; the nearest breaks "
+                "Each limit is kept by some trials, but none keeps all; the nearest breaks "
                 f"{'; '.join(broken) or 'none, but has speeds without a solution'}."
             )
         return lines

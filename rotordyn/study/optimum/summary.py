@@ -64,7 +64,7 @@ def _lines(optimum: Optimum) -> Iterator[str]:
 
 def _beside(optimum: Optimum) -> list[tuple[str, ...]]:
     """Rows of parameters, goals and limits: of the case itself, and of the best trial."""
-    heads = ("the case as it stands", "best" if optimum.best else "nearest, no best")
+    heads = ("the unchanged case", "best" if optimum.best else "nearest, no best")
     chosen = [
         (p.heading, _present(optimum.problem, p), _chosen(optimum.problem, p, optimum.nearest))
         for p in optimum.problem.parameters

@@ -28,8 +28,8 @@ TORN = {
     "raise RuntimeError('boom')": "RuntimeError: boom",
     "raise SystemExit(3)": "SystemExit: 3",
     "": "AttributeError",
-    "ANALYSIS = 3": "torn_module:ANALYSIS is not an Analysis of that name",
-    "from rotordyn.analyses.campbell import ANALYSIS": "is not an Analysis of that name",
+    "ANALYSIS = 3": "torn_module:ANALYSIS is not an Analysis named torn",
+    "from rotordyn.analyses.campbell import ANALYSIS": "is not an Analysis named torn",
     "import no_such_module": "No module named 'no_such_module'",
     None: "No module named 'torn_module'",
 }

@@ -335,7 +335,7 @@ def test_an_imaginary_part_of_mere_rounding_is_drawn_as_zero(part, flat):
     values = frf.slice_value.real * (1.0 + 1j * part)
     axes = real_imaginary_figure(replace(frf, slice_value=values), [0]).axes[1]
     words = [text.get_text() for text in axes.texts]
-    assert words == (["zero: nothing damps"] if flat else [])
+    assert words == (["zero: no damping"] if flat else [])
     assert (axes.get_ylim() == (-1.0, 1.0)) == flat
 
 

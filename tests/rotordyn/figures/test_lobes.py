@@ -86,7 +86,7 @@ def test_of_few_speeds_depths_above_the_frame_are_triangles_at_its_edge():
     upper = figure.axes[0]
     rpm, top = result.cutting_speed * 30.0 / math.pi, upper.get_ylim()[1]
     lines = {line.get_label(): line for line in upper.get_lines()}
-    depth = lines["at every speed's own receptance"].get_ydata()
+    depth = lines["with the receptance at every speed"].get_ydata()
     assert np.flatnonzero(np.isnan(depth)).tolist() == [5, 9, 12]
     own, rest = (
         line for line in upper.get_lines() if line.get_marker() == "^" and len(line.get_xdata())
@@ -129,6 +129,6 @@ def test_lines_leave_the_frame():
     result.depth[[50, 60]] = 0.5, np.inf
     upper = lobes_figure(result, SPEC).axes[0]
     lines = {line.get_label(): line for line in upper.get_lines()}
-    depth = lines["at every speed's own receptance"].get_ydata()
+    depth = lines["with the receptance at every speed"].get_ydata()
     assert (depth[[50, 60]] > upper.get_ylim()[1]).all()
     assert "^" not in {line.get_marker() for line in upper.get_lines()}

@@ -118,4 +118,4 @@ def test_units_of_pairs_are_in_their_order(results) -> None:
 def test_a_stiffness_says_its_frame(path: Path) -> None:
     with xr.open_dataset(path, group="preload", engine="h5netcdf") as preload:
         said = preload.stiffness.attrs["comment"]
-        assert "in the frame of each bearing: x the way of its thrust" in said
+        assert "in the frame of each bearing: x in the direction of its thrust" in said

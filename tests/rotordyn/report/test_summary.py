@@ -170,8 +170,8 @@ def test_a_grade_for_another_speed_than_the_highest_is_reported(case, results):
     for speed, words in (
         (0.0, ""),
         (top, ""),
-        (1.25 * top, "; the grade is for 30000 rpm, above all of the case"),
-        (0.5 * top, "; the grade is for 12000 rpm, coarser than that beyond"),
+        (1.25 * top, "; the grade is for 30000 rpm, above all speeds of the case"),
+        (0.5 * top, "; the grade is for 12000 rpm, a coarser grade above it"),
     ):
         lines = summary(case, {"unbalance": replace(result, grade_speed=speed)})
         text = " ".join(lines.split())

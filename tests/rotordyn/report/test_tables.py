@@ -120,7 +120,7 @@ def test_section_forces_have_units_of_their_own(folder):
     assert (last["support"], last["station [mm]"]) == ("rear", "436.4")
     assert (last["reaction Fy [N]"], last["reaction Mz [N·m]"]) == ("500", "0")
     (*_, twist) = _rows(folder / "section_forces_twist.csv")
-    assert twist["outer diameter that just keeps to it [mm]"] == "39.55"
+    assert twist["outer diameter at the limit of twist [mm]"] == "39.55"
 
 
 def test_slices_hold_amplitude_and_phase_too(folder, results):

@@ -130,7 +130,7 @@ BAD: list[tuple[dict[str, Any], str]] = [
     ({"varied": {PRELOAD: Span(300, 400)}}, "give the span a count"),
     ({"varied": {PRELOAD: Span(300, 400, 1)}}, "at least 2 points"),
     ({"varied": {PRELOAD: Span(300, 400, 10**16)}}, "at most 1e+15, got 1000000000000"),
-    ({"varied": {PRELOAD: Span(300, 400, 10**14)}}, "closer than 15 digits tell"),
+    ({"varied": {PRELOAD: Span(300, 400, 10**14)}}, "closer than 15 digits resolve"),
     ({"varied": {PRELOAD: Span(300, 400, 10**8)}, "results": ["preload"]}, "kept as a file"),
     ({"varied": {PRELOAD: Span(300, 400)}, "sampling": "sobol", "samples": 2**30}, "drawn whole"),
     ({"varied": {PRELOAD: [300, "0.3 kN"]}}, "listed twice: given 300 N; allowed: once"),

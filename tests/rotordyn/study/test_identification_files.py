@@ -133,7 +133,7 @@ def test_a_verdict_by_chi_squared_says_its_degrees() -> None:
         ("kind: axial curve", "kind: {axial: curve}", "unknown kind 'a mapping'"),
         ("deviation: 0.4 um, tare", "deviation: 0.4 N, tare", "is not a unit of length"),
         ("deviation: 0.4 um, tare", "deviation: 0 um, tare", "a deviation is a number above 0"),
-        ("deviation: 0.4 um, tare", "deviation: 400 um, tare", "noise swamps it"),
+        ("deviation: 0.4 um, tare", "deviation: 400 um, tare", "noise dominates it"),
         ("data/twin_shaft.csv", "data/none.csv", "cannot be read"),
         ("of: rear", "of: middle", "no such body; allowed: shaft, front, rear"),
         ("from: 20 um, to: 100 um", "from: 100 um, to: 20 um", "a higher end, got 100 um to 20 um"),
@@ -215,7 +215,7 @@ HEAD = "speed [rpm],branch,force [N],displacement [um]\n"
         (HEAD.replace(" [N]", "") + "4000,falling,1,2\n", "has no unit"),
         (HEAD.replace("force", "load") + "4000,falling,1,2\n", "unknown column 'load [N]'"),
         (HEAD + "4000,falling,1\n", "points.csv:2: has 3 cells where the head has 4"),
-        (HEAD + "4000,falling,1,x\n", "displacement is no number: given 'x'"),
+        (HEAD + "4000,falling,1,x\n", "displacement is not a number: given 'x'"),
         (
             HEAD + "-9,falling,1,2\n",
             "points.csv:2: speed: speed out of range: given -9 rpm; allowed",
@@ -247,7 +247,7 @@ def test_more_unknowns_than_points(case: Case) -> None:
         )
     ]
     with pytest.raises(
-        InvalidInput, match=r"4 are sought, more than numbers measured \(1\) and priors \(0\)"
+        InvalidInput, match=r"4 are given, more than numbers measured \(1\) and priors \(0\)"
     ):
         identify(case, SPRINGS, measured)
 

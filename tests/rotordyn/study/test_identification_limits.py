@@ -73,7 +73,7 @@ def test_other_starts_are_advised_where_nothing_follows_an_unknown(
     measured = FromHundred(mean + np.array([-1.0, 0.2, 1.1, -0.4]), 1.0)
     found = identify(case, asked, [measured], workers=1)
     assert found.sufficient == (not said)
-    advice = [line for line in found.verdict if line.startswith("no measurement follows Ff ")]
+    advice = [line for line in found.verdict if line.startswith("no measurement depends on Ff ")]
     assert bool(advice) == said
 
 
@@ -93,7 +93,7 @@ def test_intervals_end_at_bounds(case: Case, tmp_path: Path) -> None:
 def test_a_limit_excuses_no_difference(case: Case) -> None:
     found = _found(case, "0 N", mean=-9.0)
     assert not found.sufficient
-    assert "Ff stands on a bound" in found.verdict[0]
+    assert "Ff is on a bound" in found.verdict[0]
 
 
 def test_predictions_by_a_value_on_a_bound_have_no_interval(case: Case, tmp_path: Path) -> None:

@@ -42,7 +42,7 @@ def changed(of: Responses, **how: object) -> Responses:
     [
         ({"noise": None}, "give noise, or averages beside a coherence"),
         ({"noise": 0.8}, "noise: given 0.8"),
-        ({"averages": 10}, "has no coherence, which averages are for"),
+        ({"averages": 10}, "has no coherence, which averages need"),
         ({"gain": 1.0}, "gain: given 1"),
         ({"responses": ()}, "holds no responses"),
     ],
@@ -68,7 +68,7 @@ def test_responses_of_another_length_are_refused(taps: Responses) -> None:
 
 def test_a_coherence_that_says_nothing_swamps(taps: Responses) -> None:
     first = replace(taps.responses[0], coherence=(0.05,) * len(FREQUENCY))
-    with pytest.raises(InvalidInput, match="noise swamps it"):
+    with pytest.raises(InvalidInput, match="noise dominates it"):
         Responses(name="taps", responses=(first,), averages=10)
 
 
@@ -76,7 +76,7 @@ def test_noise_alone_is_no_response(taps: Responses) -> None:
     rng, first = np.random.default_rng(3), taps.responses[0]
     values = rng.normal(size=(2, len(FREQUENCY)))
     alone = replace(first, real=tuple(values[0].tolist()), imaginary=tuple(values[1].tolist()))
-    with pytest.raises(InvalidInput, match=r"noise swamps .* at 0 rpm: no sum"):
+    with pytest.raises(InvalidInput, match=r"noise dominates .* at 0 rpm: no sum"):
         assert Responses(name="taps", responses=(alone,), noise=0.02).data
 
 
@@ -85,7 +85,7 @@ def test_noise_alone_is_no_response(taps: Responses) -> None:
     ("turned", "sentence"),
     [
         (np.conj, r"imaginary part is positive: sign convention e\^\{−iωt\}"),
-        (np.negative, "a sensor against the force"),
+        (np.negative, "a sensor opposite to the force"),
     ],
 )
 def test_signs_of_driving_points_are_reported(
@@ -95,7 +95,9 @@ def test_signs_of_driving_points_are_reported(
     one = next(r for r in taps.responses if r.speed == speed and r.response == r.excitation)
     values = turned(np.array(one.real) + 1j * np.array(one.imaginary))
     wrong = replace(one, real=tuple(values.real.tolist()), imaginary=tuple(values.imag.tolist()))
-    with pytest.raises(InvalidInput, match=rf"tip\.y at .* rpm is no driving point: .*{sentence}"):
+    with pytest.raises(
+        InvalidInput, match=rf"tip\.y at .* rpm is not that of a driving point: .*{sentence}"
+    ):
         assert Responses(name="taps", responses=(wrong,), noise=0.02).data
     across = replace(wrong, response=replace(wrong.response, point="tail"))
     assert not Responses(name="taps", responses=(across,), noise=0.02)._turned(across)
@@ -122,7 +124,7 @@ def test_more_unknowns_than_modes_carry_are_refused(taps: Responses) -> None:
         asked[path + "length"] = Unknown(0.9 * part.length, 1.1 * part.length)
         asked.setdefault(path + "outer_diameter", Unknown(0.6 * OUTER[k], 1.5 * OUTER[k]))
     with pytest.raises(
-        InvalidInput, match=rf"12 are sought, more than numbers measured \({of.carried}\)"
+        InvalidInput, match=rf"12 are given, more than numbers measured \({of.carried}\)"
     ):
         identify(case(spindle()), asked, [of], workers=1)
 
@@ -244,11 +246,11 @@ def test_lines_that_are_alone_are_named_and_are_no_modes(taps: Responses) -> Non
     remarks = " ".join(of.beside(true).remarks)
     assert "lacks" not in remarks
     named = ", ".join(f"{FREQUENCY[k]:.6g}" for k in wrong)
-    assert f"at 0 rpm lines stand alone, as no mode does: {named} Hz; they are not" in remarks
+    assert f"at 0 rpm isolated lines belong to no mode: {named} Hz; they are not" in remarks
     assert not {*FREQUENCY[wrong]} & {*of.data.at[["0 rpm" in s for s in of.data.series]]}
     square = np.mean(((of.data.observed - of.predicted(true)) / of.data.deviation) ** 2)
     assert square == pytest.approx(1.0, abs=0.2)
-    assert "stand alone" not in " ".join(taps.beside(true).remarks)
+    assert "isolated lines" not in " ".join(taps.beside(true).remarks)
 
 
 def test_a_peak_of_two_close_modes_has_no_outliers() -> None:

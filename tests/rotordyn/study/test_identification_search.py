@@ -188,7 +188,9 @@ def test_points_are_not_far_off_where_the_others_are_as_far(case: Case) -> None:
     observed = _decaying(400.0, 0.8) + np.random.default_rng(5).normal(0.0, 2.0, len(ALONG))
     found = identify(case, asked, [Decay(observed, 0.2)], minimise="absolute", workers=1)
     assert np.abs(found.explained.residuals[0]).max() > 5.0 * 0.2
-    assert not [line for line in found.verdict if line.startswith("points that stand off")]
+    assert not [
+        line for line in found.verdict if line.startswith("points that differ by more than")
+    ]
 
 
 class Waved(Problem):
@@ -228,7 +230,9 @@ def test_outliers_are_named_beside_least_absolute_differences(case: Case) -> Non
     said = {}
     for how in ("squares", "absolute"):
         found = identify(case, asked, [Decay(observed, 2.0)], minimise=how, workers=1)
-        said[how] = [line for line in found.verdict if line.startswith("points that stand off")]
+        said[how] = [
+            line for line in found.verdict if line.startswith("points that differ by more than")
+        ]
     assert not said["squares"]
     (line,) = said["absolute"]
     first, second = line.partition("others: ")[2].split("; ")[:2]

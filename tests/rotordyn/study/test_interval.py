@@ -242,7 +242,7 @@ def test_an_interval_over_nothing_is_refused_before_anything_is_solved(
     text = "title: t\nspindle: friswell_two_discs\nspeeds: SPEEDS\nanalyses: {campbell: {}}\n"
     (tmp_path / "case.yaml").write_text(text.replace("SPEEDS", speeds))
     case = replace(rotordyn.load(tmp_path / "case.yaml"), uncertain=Uncertain(as_usual=True))
-    with pytest.raises(InvalidInput, match="nothing that is uncertain changes this case"):
+    with pytest.raises(InvalidInput, match="no uncertain value changes this case"):
         rotordyn.run(case, interval=True)
 
 

@@ -368,10 +368,10 @@ def test_the_unchanged_case_is_tried_first_or_said_to_be_better(case: Case) -> N
     assert found.trials[0].goals == pytest.approx(found.start.goals, rel=1e-9)
     assert found.best is not None
     assert found.best.goals[0] >= found.start.goals[0] * (1.0 - 1e-9)
-    assert not any("as it stands" in line for line in found.verdict)
+    assert not any("unchanged case" in line for line in found.verdict)
     held = Goal(lowest="preload.spring_force")
     found = optimise(case, {SPRING: Span("2 kN", "2.4 kN", log=True)}, [held], trials=3, workers=1)
-    assert "The case as it stands is none of the choices, and better." in found.verdict
+    assert "The unchanged case is none of the choices, and better." in found.verdict
 
 
 @pytest.mark.parametrize("granted", [1, 5, 11, 24])
@@ -477,7 +477,7 @@ def test_nothing_keeps_the_limits(case: Case) -> None:
     found = optimise(case, {SPRING: Span("1 kN", "2 kN")}, [goal], limits, trials=20, workers=1)
     assert found.best is None
     assert found.verdict[0] == "No trial keeps all limits."
-    assert "at least 90 kN: cannot be kept, the nearest reads" in found.verdict[1]
+    assert "at least 90 kN: cannot be kept, the nearest value is" in found.verdict[1]
     assert len(found.verdict) == 2
     with pytest.raises(InvalidInput, match="at least 90 kN"):
         _ = found.case

@@ -80,7 +80,10 @@ def held_figure(result: AxialCycleResult, speeds: int = 5) -> Figure:
     picked = held_rows[evenly(len(held_rows), speeds)]
     figure = new_figure(168.0, 90.0)
     axes = add_axes(
-        figure, (15.0, 11.0, 147.0, 74.0), "mean axial force [N]", "cyclic force held [±N]"
+        figure,
+        (15.0, 11.0, 147.0, 74.0),
+        "mean axial force [N]",
+        "cyclic force without sliding [±N]",
     )
     for k, index in enumerate(picked):
         name = f"{result.speed[index] * RPM.factor:.0f} rpm"

@@ -70,7 +70,7 @@ def _choice(result: Any, stiffness: Array) -> Iterator[Curve]:
         along = axis_label(result, "load")
         limit = result.speed_limit * RPM.factor
         yield Curve(
-            *(name, "speed limit of heat", "rpm", result.load, limit), along=along, limits=(0, None)
+            *(name, "thermal speed limit", "rpm", result.load, limit), along=along, limits=(0, None)
         )
     else:
         yield from _curves(result, name, "static safety S0", "-", result.static_safety)

@@ -102,7 +102,7 @@ def life_figure(result: BearingMapResult) -> Figure:
 
 def heat_figure(result: BearingMapResult) -> Figure:
     """Draw temperatures, operating load and heat of a warm bearing, and its speed limit."""
-    names = ["temperature [°C]", "axial load at work [N]", "heat, order of magnitude [W]"]
+    names = ["temperature [°C]", "axial load in operation [N]", "heat, order of magnitude [W]"]
     figure, axes = _beside_limit([*names, "speed limit [rpm]"], result)
     _curves(axes[0], result, result.ball_temperature)
     _curves(axes[0], result, result.inner_temperature, dash=1)

@@ -104,7 +104,7 @@ def _scale(axes: Axes, largest: float) -> None:
         axes.set_ylim(-1.0, 1.0)
         axes.set_yticks([0.0])
         axes.annotate(
-            "zero: nothing damps",
+            "zero: no damping",
             (0.5, 0.6),
             xycoords="axes fraction",
             ha="center",

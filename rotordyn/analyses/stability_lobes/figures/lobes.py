@@ -63,8 +63,8 @@ def lobes_figure(result: StabilityLobesResult, spec: StabilityLobesSpec) -> Figu
         upper.fill_between(rpm, 0.0, drawn, color=BLUE, alpha=0.12, lw=0.0, label="stable")
     upper.set_ylim(0.0, top)
     draw = partial(_draw, upper, rpm, lines=lines)
-    draw(depth, "at every speed's own receptance", {}, color=BLUE, lw=1.2)
-    draw(at_rest, "by the receptance at rest", {"marker": "x"}, color=GREY, lw=1.0, ls="--")
+    draw(depth, "with the receptance at every speed", {}, color=BLUE, lw=1.2)
+    draw(at_rest, "with the receptance at rest", {"marker": "x"}, color=GREY, lw=1.0, ls="--")
     if np.isfinite(tested).any():
         marks = {"marker": "+", "ms": 4.5}
         draw(tested, MEASURED, marks, color=BLACK, lw=1.0, ls=":")
@@ -177,7 +177,7 @@ def _pocket_list(figure: Figure, result: StabilityLobesResult, marked: Sequence[
     width, height = figure.get_size_inches() * 25.4
     rows = (len(marked) + 1) // 2
     look: dict[str, Any] = {"ha": "left", "va": "bottom", "fontsize": FONT_SIZE - 1.0}
-    head = f"deepest pockets, over the speeds that hold {KEPT:.0%} of their depth"
+    head = f"deepest pockets, over the speeds with {KEPT:.0%} of their depth"
     figure.text(15.0 / width, (1.5 + ROW * rows) / height, head, **look)
     for number, k in enumerate(marked, start=1):
         row, column = (number - 1) % rows, (number - 1) // rows
@@ -212,12 +212,12 @@ def _passing_axis(axes: Axes, spec: StabilityLobesSpec) -> None:
     second = axes.secondary_xaxis("top", functions=(hertz, rpm))
     assert spec.diameter is not None, "of the tool, where the case gives none"
     size = f"{spec.diameter * MILLIMETRE.factor:.4g} mm"
-    label = f"turning of {size}: revolutions by second [Hz]"
+    label = f"turning of {size}: revolutions per second [Hz]"
     if not spec.turning:
         how = "slot" if spec.milling == "slot" else f"{spec.milling} {spec.immersion:.0%}"
         teeth = f"{spec.teeth} uneven teeth" if spec.uneven else f"{spec.teeth} teeth"
         cutter = f"{teeth} on {size}, {how}, {spec.pairs[0][0] / 1e6:.0f} MPa"
-        label = f"{cutter}: a tooth passes at [Hz]"
+        label = f"{cutter}: tooth passing [Hz]"
     second.set_xlabel(label, fontsize=FONT_SIZE)
     second.tick_params(labelsize=FONT_SIZE)
 

@@ -69,8 +69,8 @@ def surface_figure(result: StabilityLobesResult) -> Figure:
     force = float(np.nanmax(result.cutting_force))
     return head(
         figure,
-        f"{depth:.4g} mm deep, {feed:.4g} mm by tooth, forces up to {force:.4g} N; positive errors "
-        "leave material",
+        f"{depth:.4g} mm deep, {feed:.4g} mm per tooth, forces up to {force:.4g} N; positive "
+        "errors leave material",
     )
 
 

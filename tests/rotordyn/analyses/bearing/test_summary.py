@@ -31,7 +31,7 @@ def test_ellipse_past_the_inner_shoulder() -> None:
     (sentence,) = cut_off(found)
     assert sentence == (
         "contact ellipse passes the shoulder of the inner ring, first under 80000 N at 0 rpm, up "
-        "to 5.6 % of its length lost"
+        "to 5.6 % of its length outside the groove"
     )
     assert result_warnings({"bearing": found}) == [sentence]
     unknown = solve(four_point(QJ218), OUTER, np.zeros(1), BearingMapSpec((100e3,)))
@@ -42,7 +42,7 @@ def test_an_ellipse_wholly_past_its_shoulder() -> None:
     bearing = replace(four_point(QJ218), **SHOULDERS)
     spec, speed = BearingMapSpec((1e3,), static_growth=-300e-6), np.array([6000.0]) * RPM
     found = solve(bearing, Conditions(), speed, spec)
-    assert cut_off(found)[0].endswith("up to 100 % of its length lost")
+    assert cut_off(found)[0].endswith("up to 100 % of its length outside the groove")
 
 
 def test_contacts_without_a_state_have_no_line() -> None:
@@ -62,7 +62,7 @@ def test_heat_of_balls_with_a_third_contact_is_an_estimate(
     spec = BearingMapSpec((load,), lubricant=Lubrication(32e-6, 5.4e-6, 50.0))
     found = solve(four_point(QJ218), OUTER, np.array([0.0, rpm]) * RPM, spec)
     (line,) = (each for each in summary(found) if "heat" in each)
-    assert ("where balls have more than two contacts, an estimate" in line) == said
+    assert ("estimated from resultants where balls have more than two contacts" in line) == said
     assert (found.contacts[1, 0].max() > 2) == said
 
 
@@ -89,7 +89,7 @@ def test_most_loaded_ball_in_words() -> None:
     names = {each.words for each in numbers(found, None)}  # type: ignore[arg-type]
     assert "12000 N radial, stiffness axial at 1500 rpm" in names
     assert lines[-1].split(": ", 1)[1].startswith("ball 0 at 0°: ir 4712 N at 22.4°, or 510 N at")
-    assert lines[-1].endswith("2 to 3 contacts a ball")
+    assert lines[-1].endswith("2 to 3 contacts per ball")
 
 
 def test_two_contacts_need_no_words() -> None:
@@ -147,7 +147,7 @@ def test_what_has_a_state_up_to_a_lower_speed_says_so() -> None:
     assert "none" not in stiffness
     assert "300 N as mounted, at 0 → 16000 rpm: L10r" in life
     assert "300 N as mounted: at 16000 rpm balls" in warm
-    (hot,) = (word for word in result_warnings({"bearing": found}) if "no balance" in word)
+    (hot,) = (word for word in result_warnings({"bearing": found}) if "no thermal balance" in word)
     assert "under 300 N as mounted: cool" in hot
     held = replace(spec, heat_flow=replace(FLOW, mounting="spring"))
     soft = summary(solve(VEX70, Conditions(), np.array([0.0, 8e3]) * RPM, held))

@@ -39,8 +39,8 @@ def test_it_is_the_map_of_the_bearing_under_the_conditions() -> None:
     assert (found.load[0], found.load[-1]) == pytest.approx((20.0, 9000.0))
     assert found.outcome == ("",) * 5
     assert found.boundary_absence[:, 0].tolist() == [
-        "inner race controls at every load that has a state",
-        "outer race controls at no load that has a state",
+        "inner race controls at every load that has a solution",
+        "outer race controls at no load that has a solution",
     ]
     assert (np.isnan(found.boundary_load) == (found.boundary_absence != "")).all()
 

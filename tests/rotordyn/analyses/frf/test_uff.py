@@ -142,7 +142,7 @@ def test_a_single_frequency_leaves_no_record_and_a_note(tmp_path):
     deliver(rotordyn.load(path), tmp_path / "out", figures=False)
     assert not (tmp_path / "out" / "frf.uff").exists()
     (note,) = rotordyn.open(tmp_path / "out").notes
-    assert note.startswith("frf.uff omitted: one frequency, where a record takes two or more")
+    assert note.startswith("frf.uff omitted: one frequency, but a record needs two or more")
 
 
 def test_our_own_reader_takes_it_back(tmp_path, results):
