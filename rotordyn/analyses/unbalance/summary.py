@@ -168,7 +168,7 @@ def accuracy(result: UnbalanceResult) -> list[str]:
     grows = (result.run_peak > RUNAWAY * steady).any(axis=1)
     errors = result.run_error[np.isfinite(result.run_error) & ~grows]
     if errors.size:
-        lines.append(f"runs within {rounded_up(float(errors.max()))} by refinement")
+        lines.append(f"runs within {rounded_up(float(errors.max()))} by parts")
     return lines
 
 
