@@ -269,7 +269,9 @@ class Reading:
                 alternative = next(f.keys[0] for f in keys if _distinct(f, node, others))
                 *above, last = node.path.split(".")  # an item is called by its list
                 noun = (above or [last])[-1].rstrip("s")
-                self.faults.at_key(child, f"given beside {alternative}: a {noun} is one of both")
+                self.faults.at_key(
+                    child, f"given beside {alternative}: a {noun} has only one of the two"
+                )
             else:
                 holder = place[-1] if place else node.path.rpartition(".")[2]
                 within = "" if place else deeper(kind, name)

@@ -31,7 +31,9 @@ def write_changed(
     InvalidInput : the case was not read from a file, or the new one cannot be written
     """
     if not case.files:
-        raise InvalidInput(f"case {case.name}: was read from no file, so that it cannot be written")
+        raise InvalidInput(
+            f"case {case.name}: was not read from a file, so that it cannot be written"
+        )
     source = case.files[0]
     content = yaml.safe_load(source.read_text(encoding="utf-8"))
     kept = {key: value for key, value in content.items() if key not in COMPARED}

@@ -80,7 +80,7 @@ class Loading:
         largest = _largest(lambda share: bool(self._withstands(share, share)[0]))
         return (
             f"the {self.cause} buckles the shaft at {rpm:.0f} rpm, {largest:.3g} times that force "
-            "would not: lessen it or hold the shaft better"
+            "would not: reduce it or support the shaft more stiffly"
         )
 
 
