@@ -220,7 +220,7 @@ class RadialRing:
         grooves = bearing.grooves
         if len(grooves.contacts) != 2 or (grooves.touching and grooves.free_angle > 0.0):
             raise InvalidBearing(
-                "the approximation takes balls that run in the middle of one groove a ring: "
+                "the approximation applies to balls that run in the middle of one groove per ring: "
                 "give a deep-groove bearing, or a contact angle of 0"
             )
         g = geometry(grooves)
@@ -290,14 +290,14 @@ def approximate(
     if not LEAST_SPEED <= speed <= LARGEST["speed"]:
         raise InvalidBearing(
             f"speed {speed:g} rad/s must lie from {LEAST_SPEED:g} to {LARGEST['speed']:g}: the "
-            "approximation is of balls that their centrifugal force presses"
+            "approximation applies to balls under centrifugal force"
         )
     force, seated, factors = _constants(ring, speed, variant)
     gap = 1.0 + ring.clearance / (2.0 * seated)
     if gap <= 0.0:
         raise InvalidBearing(
-            f"interference of {-ring.clearance:g} m presses every ball (2 δc = {2 * seated:g} m): "
-            "solve the full ring instead"
+            f"interference of {-ring.clearance:g} m compresses every ball (2 δc = {2 * seated:g} "
+            "m): solve the full ring instead"
         )
     law = power_law(ring.inner_compliance / ring.outer_compliance)
     x = float(peak(load / (ring.balls * force), law, gap))
@@ -305,8 +305,8 @@ def approximate(
         ends = (distribution(end, law, gap).radial for end in (LOWEST, HIGHEST))
         low, high = (float(end) * ring.balls * force for end in ends)
         raise InvalidBearing(
-            f"a load of {load:g} N lies outside {low:g} to {high:g} N, for which the approximation "
-            "is meant at this speed: solve the full ring instead"
+            f"a load of {load:g} N lies outside {low:g} to {high:g} N, the range of the "
+            "approximation at this speed: solve the full ring instead"
         )
     around = distribution(x, law, gap)
     means = np.array([around.inner_mean, around.outer_mean])

@@ -92,9 +92,9 @@ def limits(tolerance: str, diameter: float) -> tuple[float, float]:
         )
     row = _size(diameter)
     if letter in ("k", *_TIGHT) and grade < 4:
-        raise InvalidBearing(f"{tolerance} is not tabled: {letter} is from grade 4 up")
+        raise InvalidBearing(f"{tolerance} is not tabulated: {letter} is from grade 4 up")
     if letter == "j" and grade not in (5, 6):
-        raise InvalidBearing(f"{tolerance} is not tabled: j5 and j6 are")
+        raise InvalidBearing(f"{tolerance} is not tabulated: j5 and j6 are")
     low, high = _deviations(letter, grade, row)
     return low * 1e-6, high * 1e-6
 
@@ -132,7 +132,7 @@ def bearing_outside(diameter: float, grade: str = "normal") -> tuple[float, floa
         raise InvalidBearing(f"unknown class of a bearing {shown(grade)}: {', '.join(_OUTSIDE)}")
     size, table = diameter * 1e3, _OUTSIDE[grade]
     if not 18.0 < size <= 250.0:
-        raise InvalidBearing(f"outside diameters are tabled from 18 to 250 mm: got {size:g} mm")
+        raise InvalidBearing(f"outside diameters are tabulated from 18 to 250 mm: got {size:g} mm")
     return -next(value for most, value in table.items() if size <= most + 1e-9) * 1e-6, 0.0
 
 
@@ -170,6 +170,7 @@ def _size(diameter: float) -> int:
     size = diameter * 1e3
     if not SIZES[0] < size <= SIZES[-1] + 1e-9:
         raise InvalidBearing(
-            f"tolerances are tabled above {SIZES[0]:g} mm up to {SIZES[-1]:g} mm: got {size:g} mm"
+            f"tolerances are tabulated above {SIZES[0]:g} mm up to {SIZES[-1]:g} mm, got {size:g} "
+            "mm"
         )
     return bisect_left(SIZES, round(size, 6)) - 1  # rounded, since 0.018 m must count as 18 mm

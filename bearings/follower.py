@@ -72,7 +72,7 @@ class Follower:
         self._origin = groove_origin(self._geometry, static, total)
         self._compliances = compliances(bearing.grooves)
         if not np.isfinite(self._origin).all():
-            raise InvalidBearing("static growth takes the whole contact angle; reduce the fit")
+            raise InvalidBearing("static growth reduces the contact angle to 0; reduce the fit")
         self._last: tuple[Array, Array] | None = None  # (d (1, 5), X (2, 1, n))
 
     def load(self, displacement: ArrayLike, speed: ArrayLike | None = None) -> Followed:

@@ -111,7 +111,7 @@ class EstimatedBearing(AngularContactBallBearing):
         if not (free and self.catalogue.rigidities) or fill > _SPARSE:
             return ""
         return (
-            f"its likeliest balls fill {fill:.0%} of the pitch circle, where 72 % and more are "
+            f"its most probable balls fill {fill:.0%} of the pitch circle, where 72 % and more are "
             "usual: check preloads (the force between the two bearings of a pair), rigidities (of "
             "the pair) and ratings (of one bearing)"
         )
@@ -127,8 +127,8 @@ class EstimatedBearing(AngularContactBallBearing):
         if not _PAIR[0] < printed / expected < _PAIR[1]:
             return ""
         return (
-            f"dynamic rating C {printed:.4g} N is {printed / expected:.2f} times what the other "
-            f"values lead to ({expected:.4g} N): a pair has 1.62 times as much; give that of one "
+            f"dynamic rating C {printed:.4g} N is {printed / expected:.2f} times the value that "
+            f"the others give ({expected:.4g} N): a pair has 1.62 times as much; give that of one "
             "bearing"
         )
 

@@ -96,7 +96,7 @@ class Catalogue:
                 yield f"{name} must be positive numbers [{unit}], got {list(values)}"
             elif name != "preloads" and len(values) and len(values) != len(self.preloads):
                 yield (
-                    f"{name} must be one for each of preloads: given {len(values)} for "
+                    f"{name} must have one value for each of preloads: given {len(values)} for "
                     f"{len(self.preloads)}"
                 )
         if any(v is not None and v < 1e5 for v in self.rigidities):

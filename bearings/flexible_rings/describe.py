@@ -78,7 +78,7 @@ class ElasticRing:
             )
         if self.backing_diameter == self.seat_diameter:
             raise InvalidBearing(
-                "backing_diameter is that of the seat: nothing is left between them"
+                "backing_diameter equals that of the seat: no material is left between them"
             )
         if self.length < self.width:
             raise InvalidBearing(
@@ -97,8 +97,8 @@ class ElasticRing:
         row = sorted(self.places)
         if any(b - a < (1.0 - TOUCHING) * self.width for a, b in pairwise(row)):
             raise InvalidBearing(
-                f"rings {self.width * 1e3:g} mm wide would overlap: neighbours must be at least so "
-                f"far apart, got {shown([item.distance for item in self.neighbours])} m"
+                f"rings {self.width * 1e3:g} mm wide would overlap: neighbours must be at least "
+                f"that far apart, got {shown([item.distance for item in self.neighbours])} m"
             )
 
     @property

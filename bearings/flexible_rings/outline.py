@@ -40,8 +40,8 @@ def outline(grooves: Grooves, ring: ElasticRing, *, inner: bool) -> Outline:
     """
     if grooves.free_angle > STEEP:
         raise InvalidBearing(
-            "rings that deform sit on a shaft and in a housing; those of a bearing with a free "
-            f"contact angle of {math.degrees(grooves.free_angle):.3g}° sit on faces"
+            "flexible rings need seats on a shaft and in a housing; the rings of a bearing with a "
+            f"free contact angle of {math.degrees(grooves.free_angle):.3g}° rest on faces"
         )
     outward, which = (-1.0, 0) if inner else (1.0, 1)
     radius, centre = grooves.radii[which], grooves.centre_radii[which]

@@ -122,8 +122,8 @@ def skf_moment(
     fastest = float(np.max(n)) * pitch
     if fastest > FASTEST:
         raise InvalidBearing(
-            f"SKF's friction model ends at n·dm {FASTEST:.2g} mm/min, got {fastest:.3g}: take "
-            "Palmgren's moment or the sliding in the contact ellipses"
+            f"SKF's friction model is valid up to n·dm {FASTEST:.2g} mm/min, got {fastest:.3g}: "
+            "take Palmgren's moment or the sliding in the contact ellipses"
         )
     fr, fa = np.abs(np.asarray(radial, float)), np.abs(np.asarray(axial, float))
     centrifugal = (_HYBRID if hybrid else 1.0) * pitch**4 * n**2

@@ -175,7 +175,7 @@ def _words(temperatures: Array, size: Array, stateless: Flags, tolerance: float)
                 "take a thinner oil or cool more"
             )
         elif size[at] >= tolerance:
-            outcomes[at] = f"temperatures do not settle, {size[at]:.2g} K off"
+            outcomes[at] = f"temperatures do not converge, {size[at]:.2g} K off"
     return outcomes.astype(str)
 
 

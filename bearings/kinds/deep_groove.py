@@ -49,7 +49,7 @@ class DeepGrooveBallBearing(BallBearing):
         most = 2.0 * self.free_distance * (1.0 - math.cos(CONTACT_ANGLE.high))
         if self.radial_clearance is not None and self.radial_clearance > most:
             yield (
-                f"{self.drawn('radial_clearance')} makes a contact angle above 45°: with these "
+                f"{self.drawn('radial_clearance')} gives a contact angle above 45°: with these "
                 f"grooves allowed up to {most * 1e6:.4g} µm"
             )
 

@@ -74,7 +74,7 @@ class FourPointBallBearing(BallBearing):
             )
         elif (pressed := gap - self._radial_reach()) > MOST_PRESSED * self.ball_diameter:
             yield (
-                f"{word} with {shims} presses every ball in by {pressed * 1e6:.4g} µm at rest, "
+                f"{word} with {shims} compresses every ball by {pressed * 1e6:.4g} µm at rest, "
                 f"beyond {MOST_PRESSED * self.ball_diameter * 1e6:.4g} µm: raise the play or the "
                 "contact angle, or reduce the shims"
             )

@@ -41,7 +41,7 @@ class ThrustBallBearing(BallBearing):
             return (
                 f"under {thrust:g} N of thrust a thrust ball bearing carries a moment up to "
                 f"{most:.4g} N·m in this direction, where one side of it lifts off: got {size:g} "
-                "N·m; raise the thrust, or hold the tilt of the shaft by another bearing"
+                "N·m; raise the thrust, or restrain the tilt of the shaft by another bearing"
             )
         return ""
 

@@ -19,7 +19,7 @@ from bearings.life.rating import WEIBULL_SLOPE
 LOWEST_KAPPA, HIGHEST_KAPPA = 0.1, 4.0
 MOST = 50.0  # largest a_ISO
 _RELIABILITY = {0.90: 1.0, 0.95: 0.64, 0.96: 0.55, 0.97: 0.47, 0.98: 0.37, 0.99: 0.25}
-HOTTEST = 300.0  # °C, up to which factors on C are tabled
+HOTTEST = 300.0  # °C, up to which factors on C are tabulated
 _HOT = ((150.0, 1.0), (200.0, 0.73), (250.0, 0.42), (HOTTEST, 0.22))  # °C, factor on C
 # a_ISO: largest κ of each range, and the number and the exponent of its formula
 _KAPPA = ((0.4, 2.2649, 0.054381), (1.0, 1.9987, 0.19087), (HIGHEST_KAPPA, 1.9987, 0.071739))
@@ -37,7 +37,7 @@ def reliability_factor(reliability: float) -> float:
     key = round(reliability, 6)
     if key not in _RELIABILITY:
         listing = ", ".join(f"{100 * r:g} %" for r in _RELIABILITY)
-        raise InvalidBearing(f"a1 is tabled for {listing}: got {100 * reliability:g} %")
+        raise InvalidBearing(f"a1 is tabulated for {listing}: got {100 * reliability:g} %")
     return _RELIABILITY[key]
 
 
@@ -51,7 +51,7 @@ def temperature_factor(celsius: ArrayLike) -> Array:
     """
     hot = np.asarray(celsius, float)
     if not (hot <= HOTTEST).all():
-        raise InvalidBearing(f"ratings are known up to {HOTTEST:g} °C, got {hot.max():g} °C")
+        raise InvalidBearing(f"ratings are tabulated up to {HOTTEST:g} °C, got {hot.max():g} °C")
     return np.asarray(np.interp(hot, [t for t, _ in _HOT], [factor for _, factor in _HOT]))
 
 

@@ -24,7 +24,7 @@ RPM = math.pi / 30.0
 REMEDIES = {
     "overloaded": "the balls are pressed far out of their grooves; is the unit right?",
     "unloaded": "no load presses the rings together; give a load, or a displacement",
-    "no contact angle": "growth leaves no contact angle; reduce the fit, or look at its sign",
+    "no contact angle": "growth leaves no contact angle; reduce the fit, or check its sign",
 }
 
 

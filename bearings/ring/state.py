@@ -95,7 +95,8 @@ class BearingState:
             return self.complete_stiffness
         if method == "difference":
             raise InvalidBearing(
-                "differences solve the bearing again: use bearings.stiffness(state, 'difference')"
+                "differences need new solutions of the bearing: use bearings.stiffness(state, "
+                "'difference')"
             )
         exists = self.outcome.reshape(-1) == ""
         if not exists.any() or self.operation.law.dynamics == "frozen":

@@ -42,8 +42,8 @@ def _sleeves(tree: Node, given: Node, faults: Faults) -> None:
         if name is not None and name.value == word and given.child("preload") is not None:
             faults.at(
                 name,
-                f"the sleeve {units.shown(word)} is that of the arrangement: say in the preload "
-                "of the arrangement what it shall be, or name one of both otherwise",
+                f"the arrangement defines the sleeve {units.shown(word)}: give the values of this "
+                "sleeve in the preload of the arrangement, or rename one of the two",
             )
 
 
@@ -65,7 +65,7 @@ def _class(given: Node, seats: list[Node], faults: Faults) -> None:
     printed = [printed_preloads(seat) for seat in seats]
     why = _unclear(asked, seats, printed)
     if not why and "class_force" in preload:
-        why = "a class gives a class_force: given both; leave one of both out"
+        why = "a class gives a class_force: given both; leave one of the two out"
     if why:
         faults.at(asked, why)
         preload["class_force"] = replace(asked, value="1 N")  # its fault is reported

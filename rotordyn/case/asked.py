@@ -150,7 +150,7 @@ def _left(result: Tolerance | str, path: str, text: str) -> str:
     if result.text == text:
         return ""
     ends = ", ".join(dict.fromkeys(map(result.shown, result.ends)))
-    return f"{path} {text} leaves what is allowed: taken from {ends}"
+    return f"{path} {text} exceeds the allowed range: taken from {ends}"
 
 
 def within_case(case: Case, sensitivities: Mapping[str, str | None]) -> Asked:
@@ -198,7 +198,7 @@ def _twice(case: Case, hypotheses: Mapping[str, Any], tolerances: Mapping[str, A
         if other := next((changed_by[place] for place in sorted(paths & {*changed_by})), None):
             yield (
                 ("uncertain", "tolerances", path),
-                f"is moved by '{other}' too: one of both",
+                f"is varied by '{other}' too: leave one of the two out",
             )
         changed_by |= dict.fromkeys(paths, path)
 
@@ -246,7 +246,7 @@ def _hypothesis(case: Case, name: str, values: Sequence[Any] | str) -> Hypothesi
     if len({*map(str, accepted)}) < len(accepted):
         raise InvalidInput(f"a value is given twice: {', '.join(map(str, accepted))}")
     if len({nominal, *accepted}) < 2:
-        raise InvalidInput(f"one value is no choice: given {shown(str(nominal))}")
+        raise InvalidInput(f"at least two values are needed: given {shown(str(nominal))}")
     if nominal is None and choice is not None:
         nominal = getattr(case.conditions, path.rpartition(".")[2], None)
     return Hypothesis(path, nominal, tuple(dict.fromkeys((nominal, *accepted))))
@@ -300,7 +300,7 @@ def conflicts(case: Case, variants: Mapping[str, Case]) -> Faults:
                 if [value for value, _ in found_at(other, path)] != nominal:
                     yield (
                         ("uncertain", key, name),
-                        f"is replaced by the variant {variant}: what is uncertain is the same in "
-                        "all variants; leave one of both out",
+                        f"is replaced by the variant {variant}: uncertain values must be the same "
+                        "in all variants; leave one of the two out",
                     )
                     break

@@ -151,7 +151,7 @@ class Case(Description):
         """Yield faults that do not depend on the machine."""
         yield from ascending("speeds", self.speeds)
         if not self.analyses:
-            yield ("analyses",), "nothing is asked: name at least one analysis"
+            yield ("analyses",), "no analysis is given: name at least one"
         for name, spec in self._named.items():
             try:
                 wanted = analysis(name).spec
@@ -160,7 +160,7 @@ class Case(Description):
                 continue
             if not isinstance(spec, wanted):
                 given = type(spec).__name__
-                yield ("analyses", name), f"takes a {wanted.__name__}: given a {given}"
+                yield ("analyses", name), f"needs a {wanted.__name__}: given a {given}"
         known = [each.name for each in fields(Conditions)]
         for index, reference in enumerate(self.references):
             for name in reference.conditions:

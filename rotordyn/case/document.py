@@ -93,7 +93,7 @@ class _Refused(Exception):
 
 def _bytes(path: Path) -> bytes:
     if _UNPRINTABLE.search(path.name):
-        raise _Refused("has control characters, or bytes that are no text, in its name: rename it")
+        raise _Refused("has control characters, or bytes that are not text, in its name: rename it")
     try:
         status = os.stat(path)
         if stat.S_ISDIR(status.st_mode):
@@ -280,7 +280,7 @@ def _not_yaml(error: Exception, text: str) -> _Refused:
     mark: Any = getattr(error, "problem_mark", None)
     line = "".join(text.splitlines()[mark.line : mark.line + 1]) if mark else ""
     if mark and "\t" in line[: mark.column + 1]:
-        tabbed = "a tab stands where YAML wants spaces: indent by spaces alone"
+        tabbed = "a tab is used where YAML needs spaces: indent with spaces only"
         return _Refused(tabbed, mark.line + 1, mark.column + 1)
     if mark is None:
         return _Refused("is not YAML: " + (str(error) or "cannot be parsed").splitlines()[0], 1, 1)

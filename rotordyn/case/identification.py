@@ -105,11 +105,11 @@ class StopEntry:
 
     kind: Annotated[str, "`stop met`"]
     deviation: Annotated[Travel, "standard deviation of the travel of the sleeve"]
-    sleeve: Annotated[Name, "sleeve that meets its stop"]
-    speed: Annotated[Speed, "speed at which the stop is met"]
+    sleeve: Annotated[Name, "sleeve that reaches its stop"]
+    speed: Annotated[Speed, "speed at which the stop is reached"]
     force: Annotated[
         Force | None,
-        "axial force on the falling branch at which the stop is met; none: without force",
+        "axial force on the falling branch at which the stop is reached; none: without force",
     ] = None
     lowest: Annotated[Force | None, "lowest force of the cycle"] = None
     highest: Annotated[Force | None, "highest force of the cycle"] = None
@@ -181,7 +181,7 @@ class PhaseEntry:
     """One phase of an identification: the unknowns it seeks, the values it holds."""
 
     unknowns: Annotated[
-        tuple[str, ...] | None, Items(), "unknowns sought, by name or path; all by default"
+        tuple[str, ...] | None, Items(), "unknowns to identify, by name or path; all by default"
     ] = None
     values: Annotated[Mapping[str, Any], "dotted path to a fixed value"] = field(
         default_factory=dict

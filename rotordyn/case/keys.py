@@ -70,7 +70,7 @@ class ModelFiles:
         "place of every coordinate, `front.y` under the support or bearing front; an "
         'inner one is `""`',
     ]
-    damping: Annotated[str, "likewise, N·s/m; none by default"] = ""
+    damping: Annotated[str, "Matrix Market file (.mtx), n × n, N·s/m; none by default"] = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +79,9 @@ class Range:
 
     start: Annotated[float, Key("from"), "first value"]
     to: Annotated[float, "last value, included"]
-    step: Annotated[float | None, "distance; must come out at `to`; either this or `count`"] = None
+    step: Annotated[float | None, "distance; must reach `to` exactly; either this or `count`"] = (
+        None
+    )
     count: Annotated[
         Annotated[int, Whole(2, MOST_STEPS)] | None, "number of values, both ends included"
     ] = None
@@ -126,7 +128,7 @@ class Variant:
     references: Annotated[tuple[Reference, ...], "added to the references of the case"] = ()
 
 
-Note = Annotated[str, "anything worth keeping"]
+Note = Annotated[str, "remark"]
 Source = Annotated[str, "where it comes from"]
 Sources = Annotated[tuple[str, ...], "where it comes from"]
 
@@ -134,7 +136,7 @@ Sources = Annotated[tuple[str, ...], "where it comes from"]
 @dataclass
 class _Case:
     note: Note = ""
-    tool: Annotated[Any, "name or path of what is clamped into the nose"] = None
+    tool: Annotated[Any, "name or path of the tool that is clamped into the nose"] = None
     tools: Annotated[
         tuple[Any, ...],
         "names or paths of several: each is a variant with this tool, the spindle solved once",
@@ -158,7 +160,8 @@ class _Frf:
 @dataclass
 class _Measured:
     file: Annotated[
-        str, "beside the case: UFF with records of type 58, or a table that ends in .csv"
+        str,
+        "file in the folder of the case: UFF with records of type 58, or a table that ends in .csv",
     ]
     record: Annotated[
         Annotated[int, Whole(1, 1_000_000)] | None,

@@ -71,7 +71,7 @@ def _of_bearings(reading: Reading, tree: Node) -> None:
     for common in COMMON[Spindle]:
         given = tree.child(*common.keys)
         if given is not None and given.value is not None:
-            reading.faults.at_key(given, "for bearings, and this spindle has none: leave out")
+            reading.faults.at_key(given, "needs bearings, and this spindle has none: leave it out")
 
 
 def _pushed(reading: Reading, tree: Node, made: Spindle) -> None:
@@ -86,6 +86,6 @@ def _pushed(reading: Reading, tree: Node, made: Spindle) -> None:
             reading.faults.missing(
                 node,
                 "thrust",
-                "missing key: the spring of its sleeve pushes one way; allowed: +x, -x, the way "
-                "the shaft pushes the inner ring against the spring",
+                "missing key: the spring of its sleeve pushes in one direction; allowed: +x, -x, "
+                "the direction in which the shaft pushes the inner ring against the spring",
             )

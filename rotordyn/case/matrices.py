@@ -37,7 +37,7 @@ def matrix(reading: Reading, annotation: Any, node: Node, others: tuple[type, ..
         if isinstance(child.value, list) and tabled:
             entries[pair] = tuple(reading.value(one, item) for item in child.value)
         elif isinstance(child.value, list):
-            message = "a housing does not follow the speed: one value is needed"
+            message = "a housing does not depend on speed: one value is needed"
             reading.faults.at(child, message)
         else:
             entries[pair] = reading.value(one, child)
@@ -49,7 +49,7 @@ def _whole(reading: Reading, marker: Matrix, node: Node) -> dict[tuple[str, str]
     if both:
         reading.faults.at(
             node,
-            f"both ways of writing a matrix: given {', '.join(both)} beside dof and matrix; "
+            f"a matrix is written in two ways: given {', '.join(both)} beside dof and matrix; "
             "allowed: entries by name, or dof and matrix",
         )
         return {}

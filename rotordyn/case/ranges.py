@@ -60,6 +60,6 @@ def _range_faults(span: Range, unit: str) -> Iterator[tuple[tuple[str, ...], str
             low, high = (format_quantity(end, unit) for end in ends)
             yield (
                 ("step",),
-                "the step does not come out at the end of the range: given {given}; it would end "
-                f"at {low} or {high}",
+                f"the step does not reach the end of the range exactly: given {{given}}; it would "
+                f"end at {low} or {high}",
             )

@@ -31,8 +31,8 @@ _LISTED = 24
 # Keys of earlier versions, by the entry that held them: what a case does without them.
 RETIRED: dict[tuple[str, str], str] = {
     ("conditions", "shaft"): (
-        "`shaft` is no longer a key: the shaft is one of elements, refined until the accuracy "
-        "asked for holds; leave it out, and ask for accuracy: 1e-8 instead of exact"
+        "`shaft` is no longer a key: the shaft is modelled by finite elements, refined until the "
+        "required accuracy is reached; leave it out, and give accuracy: 1e-8 instead of exact"
     ),
     ("frf", "method"): (
         "`method` is no longer a key: responses are those of the reduced model, with an estimate "
@@ -279,7 +279,9 @@ class Reading:
                 alternative = next(f.keys[0] for f in keys if _distinct(f, node, others))
                 *above, last = node.path.split(".")  # an item is called by its list
                 noun = (above or [last])[-1].rstrip("s")
-                self.faults.at_key(child, f"given beside {alternative}: a {noun} is one of both")
+                self.faults.at_key(
+                    child, f"given beside {alternative}: a {noun} has only one of the two"
+                )
             else:
                 holder = place[-1] if place else node.path.rpartition(".")[2]
                 within = "" if place else deeper(kind, name)

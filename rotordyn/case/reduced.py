@@ -186,10 +186,10 @@ def _real(name: str, value: Any, shape: tuple[int, ...]) -> Array:
     if array.shape != shape:
         given, wanted = (" × ".join(map(str, s)) or "one value" for s in (array.shape, shape))
         raise NoModel(
-            f"{name} has not the shape that its places need: given {given}; allowed: {wanted}"
+            f"{name} does not have the shape that its places need: given {given}; allowed: {wanted}"
         )
     if array.dtype.kind not in "iuf" or not np.isfinite(array).all():
-        raise NoModel(f"{name} holds what is no finite real number")
+        raise NoModel(f"{name} holds a value that is not a finite real number")
     return np.asarray(array, dtype=np.float64)
 
 

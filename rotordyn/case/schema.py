@@ -325,7 +325,7 @@ def _matrix(annotation: Any, shapes: dict[str, Shape]) -> Shape:
         "items": {"enum": list(DOFS)},
         "minItems": 1,
         "uniqueItems": True,
-        "description": "what rows (loads) and columns (displacements) belong to",
+        "description": "DOF of the rows (loads) and columns (displacements)",
     }
     rows = {
         "type": "array",

@@ -26,7 +26,7 @@ class SpanEntry:
     to: Annotated[Any, "highest value"]
     points: Annotated[
         Annotated[int, Whole(2, MOST_POINTS)] | None,
-        "number of points, ends included; none of a sample",
+        "number of points, ends included; not for a sample",
     ] = None
     spacing: Annotated[
         str, Choice(SPACINGS), "equal steps (`linear`) or equal ratios (`ratio`)"
@@ -54,7 +54,9 @@ class StudyFile:
         tuple[Name, ...], Items(0), "analyses of the case that are solved; by default all"
     ] = ()
     results: Annotated[
-        tuple[Name, ...], Items(0), "analyses whose results are kept whole, not only their numbers"
+        tuple[Name, ...],
+        Items(0),
+        "analyses whose complete results are kept, not only their numbers",
     ] = ()
 
 
@@ -96,7 +98,9 @@ class OptimumFile:
     title: Annotated[str, Key(default=""), "one line, shown in summary and figures"]
     case: Annotated[str, "path of a case file, or the name of a case that comes with rotordyn"]
     vary: Annotated[Mapping[str, Any], "dotted path to a list of choices, or to a span (from, to)"]
-    goals: Annotated[tuple[GoalEntry, ...], Items(), "one, or two whose trade-off is sought"]
-    limits: Annotated[tuple[LimitEntry, ...], Items(0), "limits that the best machine keeps"] = ()
+    goals: Annotated[tuple[GoalEntry, ...], Items(), "one, or two whose trade-off is computed"]
+    limits: Annotated[
+        tuple[LimitEntry, ...], Items(0), "limits that the best machine satisfies"
+    ] = ()
     trials: Annotated[int, Whole(1, MOST_TRIALS), "largest number of machines to solve"] = 300
     seed: Annotated[int, Whole(0, 2**31 - 1), "random seed of the search"] = 0

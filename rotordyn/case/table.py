@@ -19,7 +19,7 @@ from rotordyn.delimited import rows as rows_of
 from rotordyn.errors import Fault, InvalidInput
 
 _HEAD = re.compile(r"\s*(speed|(stiffness|damping)\.(\w+))\s*\[([^\]]+)\]\s*")
-_ALLOWED = "speed [rpm], stiffness.yy [N/um], damping.yy [N s/m] and the like"
+_ALLOWED = "speed [rpm], stiffness.yy [N/um], damping.yy [N s/m] and other entries"
 
 
 def tabled(support: Node, path: Path, faults: Faults, contents: dict[Path, bytes]) -> None:
@@ -42,7 +42,7 @@ def tabled(support: Node, path: Path, faults: Faults, contents: dict[Path, bytes
         *above, key = way
         if {key, "dof", "matrix"} & {*support.entries(*above)}:
             given = ".".join(way)
-            faults.at(support.at("table"), f"both in the table and beside it: given {given}")
+            faults.at(support.at("table"), f"both in the table and outside it: given {given}")
         elif isinstance(support.at(*above).value, dict):  # else reported by the schema
             apply({".".join(way): Node(cells, file, rows[0][0], column + 1)}, support, faults)
 

@@ -143,7 +143,7 @@ def _found(case: Case, path: str) -> list[tuple[str, Any, Any]]:
         vary(case, {path: None})  # raises with the part of the path that does not exist
     except InvalidInput as refusal:
         raise InvalidInput(str(refusal).removeprefix(f"{path}: ")) from None
-    raise InvalidInput("leads nowhere in this case")
+    raise InvalidInput("does not exist in this case")
 
 
 def _ends(
@@ -168,7 +168,7 @@ def _ends(
 def _limits(value: Any, annotation: Any, text: str, beyond: bool) -> tuple[float, float, bool]:
     """Lowest and highest number, checked against the value and its range."""
     if isinstance(value, bool) or not isinstance(value, float | int):
-        what = "is not given in this case" if value is None else f"is no number: {shown(value)}"
+        what = "is not given in this case" if value is None else f"is not a number: {shown(value)}"
         raise InvalidInput(f"{what}; a tolerance needs one")
     if not math.isfinite(value):
         raise InvalidInput("is infinite in this case; a tolerance needs a number")
@@ -182,10 +182,10 @@ def _limits(value: Any, annotation: Any, text: str, beyond: bool) -> tuple[float
     low, high = _on_bound(low, quantity), _on_bound(high, quantity)
     for end in () if beyond else (low, high):
         if why := quantity.refusal(end, quantity.as_bounds(end)):
-            raise InvalidInput(f"'{text}' leads out of what is allowed: {why}")
+            raise InvalidInput(f"'{text}' exceeds the allowed range: {why}")
     if not low <= value <= high:
         written = quantity.as_bounds(value)
-        raise InvalidInput(f"'{text}' does not hold the value of the case, {written}")
+        raise InvalidInput(f"'{text}' does not contain the value of the case, {written}")
     return low, high, log
 
 

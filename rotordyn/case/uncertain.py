@@ -47,7 +47,7 @@ class Uncertain(Description):
     seed: Annotated[int, Whole(0, 2**31 - 1), "random seed of the samples"] = 0
     sensitivities: Annotated[
         Mapping[str, str | None],
-        "dotted path to the range over which its influence is stated, as a tolerance, or nothing",
+        "dotted path to the range over which its influence is computed, as a tolerance, or nothing",
     ] = field(default_factory=dict)
 
     def _faults(self) -> Faults:

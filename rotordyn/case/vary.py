@@ -189,8 +189,8 @@ def _of_class(old: Any, change: _Change) -> _Change:
     force = forces.pop() if len(forces) == 1 else None
     if force is None:
         raise change.refused(
-            f"the bearings of the set have no one force of a class {shown(change.value)}; allowed: "
-            f"{', '.join(CLASSES)}, of models that print preloads, or change class_force"
+            f"the bearings of the set have no common force of a class {shown(change.value)}; "
+            f"allowed: {', '.join(CLASSES)}, of models that print preloads, or change class_force"
         )
     return replace(change, value=force, steps=(*OF_CLASS[:-1], "class_force"))
 
@@ -201,8 +201,8 @@ def _require_kept(annotation: Any, result: Any, changes: Sequence[_Change]) -> N
         return
     undone = (each for each in changes if _value(annotation, result, [each]) != result)
     raise next(undone, changes[0]).refused(
-        "changes nothing: what stands there follows from others of its keys, as the sleeve of a "
-        "set from its arrangement; change those"
+        "changes nothing: its value follows from other keys, as the sleeve of a set from its "
+        "arrangement; change those"
     )
 
 
@@ -224,8 +224,8 @@ def _begun(kinds: Sequence[type], changes: Sequence[_Change]) -> Any:
     missing = [".".join(f.keys) for f in fields if f.default is REQUIRED and f.name not in groups]
     if missing:
         raise changes[0].refused(
-            f"nothing is there yet, and what begins with it also needs {', '.join(missing)}: give "
-            "these too"
+            f"is not given yet, and the part that it belongs to also needs {', '.join(missing)}: "
+            "give these too"
         )
     new = {
         f.name: _value(f.annotation, None if f.default is REQUIRED else f.default, groups[f.name])
@@ -257,7 +257,7 @@ def _ways(old: Any, change: _Change) -> list[_Change]:
             filter(None, (_way_to(change), *common.fills, *change.steps[len(common.keys) :]))
         )
         raise change.refused(
-            f"changes nothing: each of {common.fills[0]} has its own here; change {way}"
+            f"changes nothing: each of {common.fills[0]} has its own value here; change {way}"
         )
     return [replace(change, steps=way) for way in ways]
 

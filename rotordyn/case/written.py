@@ -32,7 +32,9 @@ def write_changed(
     InvalidInput : the case was not read from a file, or the new one cannot be written
     """
     if not case.files:
-        raise InvalidInput(f"case {case.name}: was read from no file, so that it cannot be written")
+        raise InvalidInput(
+            f"case {case.name}: was not read from a file, so that it cannot be written"
+        )
     source = case.files[0]
     content = opened(source)[0].plain()
     kept = {key: value for key, value in content.items() if key not in COMPARED}

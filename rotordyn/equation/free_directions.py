@@ -49,9 +49,8 @@ def too_stiff(linear: Linear) -> str:
 
     stiffest = max(linear.connections, key=largest)
     return (
-        f"'{stiffest.link.name}' is so stiff, {np.abs(stiffest.matrices.stiffness).max():.0e} "
-        "N/m, that slow motions beside it are lost in rounding: hold it rigid, or lower its "
-        "stiffness"
+        f"'{stiffest.link.name}' is so stiff, {np.abs(stiffest.matrices.stiffness).max():.0e} N/m, "
+        "that rounding hides slow motions: make it rigid, or lower its stiffness"
     )
 
 

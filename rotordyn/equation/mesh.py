@@ -165,8 +165,8 @@ def _mesh(spindle: Spindle, longest: float) -> Mesh:
     if nodes > MOST_NODES:
         raise InvalidInput(
             f"too many nodes: given {nodes:.0f} by {len(shaft.sections)} sections, {len(placed)} "
-            f"things on them and the length of elements; allowed: up to {MOST_NODES}; join "
-            "sections that are alike, or ask for longer elements"
+            f"parts on them and the length of elements; allowed: up to {MOST_NODES}; join sections "
+            "that are alike, or give longer elements"
         )
     x = _merged(shaft, placed)
     section = np.searchsorted(shaft.boundaries[1:-1], (x[1:] + x[:-1]) / 2.0, side="right")

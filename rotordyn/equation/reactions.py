@@ -75,9 +75,9 @@ def _solved(matrix: Array, right: Array) -> Array:
     matrix, right = matrix / size, right / size
     if (np.linalg.cond(matrix) > WORST_CONDITION).any():
         raise InvalidInput(
-            "the reactions are not determined: rigid supports hold the shaft more often than its "
-            "elasticity can tell apart, or supports are so much softer or stiffer than the shaft "
-            "that rounding hides it; leave one out, or give it another stiffness"
+            "the reactions are not determined: the shaft has more rigid supports than its "
+            "elasticity can distinguish, or supports are so much softer or stiffer than the shaft "
+            "that rounding errors dominate; leave one out, or give it another stiffness"
         )
     solution = np.linalg.solve(matrix, right)
     return np.asarray(solution + np.linalg.solve(matrix, right - matrix @ solution))

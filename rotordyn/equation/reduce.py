@@ -48,9 +48,9 @@ def _solvable() -> Iterator[None]:
             yield
     except np.linalg.LinAlgError:
         raise InvalidInput(
-            "the modes of a free body cannot be computed: a part of it has no mass, is held by "
-            "nothing, or is stiff or light beyond the digits of its matrices; join it to others "
-            "or leave it out"
+            "the modes of a free body cannot be computed: a part of it has no mass, is "
+            "unconnected, or is so stiff or light that rounding hides it; join it to others or "
+            "leave it out"
         ) from None
 
 
@@ -117,7 +117,7 @@ def reduce(
     if large and (3 * below + 4 * ports.shape[1]) * size > MOST_ENTRIES:
         raise InvalidInput(
             f"{below} modes and {ports.shape[1]} loads of a body of {size} DOF do not fit into "
-            "memory; ask for lower frequencies or less accuracy, or join sections that are alike"
+            "memory; take lower frequencies or less accuracy, or join sections that are alike"
         )
     require_free_modes(size, below + least if large else None)
     if not large:

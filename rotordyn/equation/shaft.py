@@ -254,8 +254,8 @@ def _elements(spindle: Spindle, shown: Mesh, fine: Fineness) -> tuple[Mesh, Indi
     if size > MOST_DOF:
         raise InvalidInput(
             f"bending up to {fine.frequency:.6g} Hz takes {size:.3g} degrees of freedom; allowed: "
-            f"up to {MOST_DOF}; ask for lower frequencies or speeds, less accuracy, or join "
-            "sections that are alike"
+            f"up to {MOST_DOF}; take lower frequencies or speeds, less accuracy, or join sections "
+            "that are alike"
         )
     return divided(coarse, parts), np.repeat(degree, parts), np.repeat(rod_degree, parts)
 

@@ -137,7 +137,9 @@ def _sleeves(spindle: Spindle) -> Faults:
             if sleeve_of.setdefault(name, sleeve.name) != sleeve.name:
                 also = ""
                 if spindle.arrangement is not None and sleeve.name == spindle.arrangement.name:
-                    also = ", and the arrangement bears it by its preload: leave one of both out"
+                    also = (
+                        ", and the arrangement carries it by its preload: leave one of the two out"
+                    )
                 yield path, f"bearing '{name}' is already on sleeve '{sleeve_of[name]}'{also}"
         if {1, -1} <= {thrust.get(name, 0) for name in sleeve.bearings}:
             yield (
@@ -168,15 +170,15 @@ def _fixed_twice(spindle: Spindle) -> Faults:
                 if abs(support.x - other.x) <= SLACK:
                     yield (
                         ("supports",),
-                        f"supports '{other.name}' and '{support.name}' both hold {dof} there",
+                        f"supports '{other.name}' and '{support.name}' both constrain {dof} there",
                     )
             same_dof.append(support)
     axial = fixing.get(("x", frozenset((SPINDLE, GROUND))))
     if axial and spindle.seats:
         yield (
             ("supports",),
-            f"support '{axial[0].name}' holds x rigidly beside bearings, whose preload moves "
-            "the shaft along: give it a stiffness xx",
+            f"support '{axial[0].name}' is rigid in x beside bearings, whose preload moves the "
+            "shaft along x: give it a stiffness xx",
         )
 
 
@@ -209,8 +211,8 @@ def _rotors(spindle: Spindle) -> Faults:
         if name in (SPINDLE, GROUND):
             yield (
                 ("rotors", index, "name"),
-                f"a further rotor cannot be called that: given '{name}'; allowed: any other name "
-                f"than {SPINDLE} and {GROUND}",
+                f"this name is not allowed for a further rotor: given '{name}'; allowed: any other "
+                f"name than {SPINDLE} and {GROUND}",
             )
     if misnamed(spindle):
         return
@@ -221,8 +223,8 @@ def _rotors(spindle: Spindle) -> Faults:
         if free:
             yield (
                 ("rotors", index, "name"),
-                f"rotor '{name}' is not held: no support with it as an end has a stiffness along "
-                f"{' and '.join(free)}",
+                f"rotor '{name}' is unrestrained: no support with an end on it has a stiffness "
+                f"along {' and '.join(free)}",
             )
     if names:
         yield from _losses(spindle)
@@ -236,7 +238,7 @@ def _ends(spindle: Spindle, known: tuple[str, ...]) -> Faults:
         if support.holds and support.holds == support.against:
             yield (
                 ("supports", index, "against"),
-                f"a rotor is not held against itself: given '{support.holds}'",
+                f"a support needs two different ends: given '{support.holds}'",
             )
 
 
@@ -257,8 +259,9 @@ def _losses(spindle: Spindle) -> Faults:
         if value:
             yield (
                 path,
-                "loss factors are known of machines with one rotor, since each sees whirl from its "
-                "own speed: given {given} beside rotors; allowed: 0, with viscous damping instead",
+                "loss factors need a machine with one rotor, since the sign of their damping "
+                "depends on the speed of each rotor: given {given} beside rotors; allowed: 0, with "
+                "viscous damping instead",
             )
 
 
@@ -288,15 +291,20 @@ def _carried(spindle: Spindle) -> Faults:
             elif name in bearings and name in supports:
                 yield path, f"'{name}' is both a support and a bearing: rename one of them"
             elif name in supports and supports[name].rigid:
-                yield path, f"support '{name}' is rigid, and a housing that gives way is not"
+                yield (
+                    path,
+                    f"support '{name}' is rigid and cannot act on a flexible housing: give it a "
+                    "stiffness",
+                )
             elif name in supports and supports[name].against in turning:
-                yield path, f"support '{name}' stands between two rotors, not on ground"
+                yield path, f"support '{name}' connects two rotors and not a rotor to ground"
             elif name in sprung:
                 yield (
                     path,
-                    f"bearing '{name}' is on sleeve '{sprung[name]}', whose radial stiffness holds "
-                    "it against ground: leave that out, or the bearing off the housing",
+                    f"bearing '{name}' is on sleeve '{sprung[name]}', whose radial stiffness "
+                    "supports it on ground: leave out that stiffness, or the bearing from the "
+                    "housing",
                 )
             if name in base:
-                yield path, f"'{name}' stands on two housings: {base[name]} and {housing.name}"
+                yield path, f"'{name}' is on two housings: {base[name]} and {housing.name}"
             base[name] = housing.name

@@ -21,7 +21,7 @@ class BallGuide(Description):
     The sleeve is held by its radial stiffness at the centre. Lengths [m].
     """
 
-    balls: Annotated[int, Whole(3, 100_000), "number of balls that carry, of all rows"]
+    balls: Annotated[int, Whole(3, 100_000), "number of balls that carry load, in all rows"]
     ball_diameter: Annotated[Diameter, "diameter of a ball"]
     column_diameter: Annotated[Diameter, "diameter of the sleeve below the balls"]
     interference: Annotated[Interference, "radial interference of both contacts of a ball together"]
@@ -36,7 +36,8 @@ class BallGuide(Description):
         elif self.interference >= 0.1 * self.ball_diameter:
             yield (
                 ("interference",),
-                "far beyond a ball: given {given}; allowed: below a tenth of {given:ball_diameter}",
+                "too large for a ball: given {given}; allowed: below a tenth of "
+                "{given:ball_diameter}",
             )
 
     @property

@@ -65,19 +65,21 @@ class SetPreload(Description):
     ] = None
     class_force: Annotated[
         Load | None,
-        "preload of a pair of these bearings before it is mounted, as of a maker's "
-        "class: fits and the number of bearings raise it",
+        "preload of a pair of these bearings before it is mounted, as in a maker's preload class: "
+        "fits and the number of bearings raise it",
     ] = None
     offset: Annotated[
         RingOffset | None,
-        "axial offset of the rings that mounting takes away, or the difference of spacers or a "
-        "shim, before fits",
+        "axial offset of the rings that mounting closes, or the difference of spacers or a shim, "
+        "before fits",
     ] = None
     constant_force: Annotated[Load | None, "preload by a piston, independent of its travel"] = None
     stiffness: Annotated[
         Rigidity, "stiffness of a spring that gives the force; `rigid` locks the rings"
     ] = math.inf
-    stop_travel: Annotated[StopTravel, "way against the force, from rest to an end stop"] = math.inf
+    stop_travel: Annotated[StopTravel, "travel against the force, from rest to an end stop"] = (
+        math.inf
+    )
     friction: Annotated[
         Preload, "limit of the dry friction of the rings that the force pushes, in their bore"
     ] = 0.0
@@ -95,14 +97,15 @@ class SetPreload(Description):
         elif given[0] != "force" and math.isfinite(self.stiffness):
             yield (
                 ("stiffness",),
-                f"a spring has a force as mounted: given beside {given[0]}; allowed: with force",
+                f"a spring needs its force as mounted: given beside {given[0]}; allowed: with "
+                "force",
             )
         acting = {"stop_travel": self.stop_travel < math.inf, "friction": self.friction > 0.0}
         for key, acts in acting.items():
             if acts and math.isinf(self.spring.stiffness):
                 yield (
                     (key,),
-                    "does nothing where the rings are locked: give the force a stiffness, or a "
+                    "has no effect where the rings are locked: give the force a stiffness, or a "
                     "constant_force, or leave it out",
                 )
 
@@ -124,8 +127,10 @@ class BearingSet(Description):
 
     set: Annotated[str, Choice(tuple(SETS)), "DB, DF, DT; TBT, TFT, TT; QBC, QFC, QBT, QFT, QT"]
     bearings: Annotated[tuple[Name, ...], Items(2, 4), "bearings of the set, from front to rear"]
-    preload: Annotated[SetPreload | None, "preload of sets that face one another"] = None
-    name: Annotated[Name, "name of the set, which its sleeve bears"] = "set"
+    preload: Annotated[
+        SetPreload | None, "preload of a set whose bearings take opposite thrust"
+    ] = None
+    name: Annotated[Name, "name of the set and of its sleeve"] = "set"
 
     def _faults(self) -> Faults:
         yield from repeated("bearings", self.bearings)
@@ -139,7 +144,7 @@ class BearingSet(Description):
             yield (
                 ("preload",),
                 f"bearings of a set {self.set} all take thrust the same way and do not preload one "
-                "another: leave it out, and give the sleeve that pushes against them",
+                "another: leave it out, and give a sleeve that preloads them",
             )
         if size and len({*SETS[self.set]}) == 2 and self.preload is None:
             yield ("preload",), f"missing key: a set {self.set} needs it"

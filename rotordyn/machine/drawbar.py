@@ -24,7 +24,7 @@ class Drawbar(Description):
     end: Annotated[Station, Key("to"), "rear station where it pulls the shaft"]
     guides: Annotated[
         Annotated[str, Choice((EVERYWHERE,))] | tuple[Station, ...],
-        "stations between where it touches the bore; in between it runs straight",
+        "stations between its ends where it touches the bore; between these it is straight",
     ] = ()
 
     def _faults(self) -> Faults:

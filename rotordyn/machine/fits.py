@@ -67,17 +67,17 @@ class Fits(Description):
             if self.under_balls and getattr(self, key) is None:
                 yield (
                     (key,),
-                    "missing key: how far balls expand the outer ring needs it; the model of this "
-                    "bearing gives none",
+                    "missing key: the expansion of the outer ring by the balls needs it; the model "
+                    "of this bearing gives none",
                 )
         if self.under_balls and self.shaft and not self.housing:
             yield (
                 ("housing",),
-                "missing key: how far balls expand the outer ring hangs on its fit in the housing: "
-                "give a class, such as JS5, or leave under_balls out",
+                "missing key: the expansion of the outer ring by the balls depends on its fit in "
+                "the housing: give a class, such as JS5, or leave under_balls out",
             )
         if not (self.shaft or self.housing):
-            yield (), "fits without a class: give shaft (such as k5), housing (such as JS5) or both"
+            yield (), "no class is given: give shaft (such as k5), housing (such as JS5) or both"
             return
         yield from no_housing(self.housing_diameter, self.outside_diameter)
 

@@ -42,7 +42,7 @@ class RingBodies(Description):
     theirs.
     """
 
-    which: Annotated[str, Choice(WHICH), "rings that deform: `both`, `inner` or `outer`"] = "both"
+    which: Annotated[str, Choice(WHICH), "flexible rings: `both`, `inner` or `outer`"] = "both"
     bore_diameter: InnerSize = None
     outside_diameter: OuterSize = None
     width: RingWidth = None
@@ -54,10 +54,10 @@ class RingBodies(Description):
     housing_diameter: Annotated[
         Diameter | None,
         "outside of the housing or sleeve around the outer ring, by default 1.5 times that of the "
-        "ring; with fits it stands there",
+        "ring; with fits, give it there",
     ] = None
     housing_material: Annotated[
-        Material | None, "name, path or mapping; steel by default; with fits it stands there"
+        Material | None, "name, path or mapping; steel by default; with fits, give it there"
     ] = None
     shaft_material: Annotated[
         Material | None, "name, path or mapping; by default that of the shaft there, or steel"
@@ -70,14 +70,14 @@ class RingBodies(Description):
     ends: Annotated[
         str,
         Choice(ENDS),
-        "`free`: grooves move against the mean motion of what is under the ring; `clamped`: "
-        "against the held ends of that piece, as in a test rig",
+        "`free`: grooves move against the mean motion of the shaft or housing at the ring; "
+        "`clamped`: against the clamped ends of that piece, as in a test rig",
     ] = ENDS[0]
     neighbours: Annotated[
         str,
         Choice(NEIGHBOURS),
-        "rings of equal bearings that the same wall carries within `length`: `alike`: they deform "
-        "it together, under equal ball loads; `apart`: each has a wall of its own",
+        "rings of equal bearings on the same wall within `length`: `alike`: they deform it "
+        "together, under equal ball loads; `apart`: each has a separate wall",
     ] = NEIGHBOURS[0]
 
     @property
@@ -108,8 +108,7 @@ class RingBodies(Description):
             if needs and getattr(self, key) is None:
                 yield (
                     (key,),
-                    "missing key: a ring that deforms needs it; the model of this bearing gives "
-                    "none",
+                    "missing key: a flexible ring needs it; the model of this bearing gives none",
                 )
         for key, deforms, other in (
             ("shaft_bore", self.inner, "an inner"),
@@ -118,8 +117,8 @@ class RingBodies(Description):
             if getattr(self, key) is not None and not deforms:
                 yield (
                     (key,),
-                    f"serves {other} ring that deforms: given {{given}} beside which: "
-                    f"{self.which}; leave one of both out",
+                    f"needs {other} ring that is flexible: given {{given}} beside which: "
+                    f"{self.which}; leave one of the two out",
                 )
         hole, bore = self.shaft_bore, self.bore_diameter
         if self.inner and hole is not None and bore is not None and hole >= bore:

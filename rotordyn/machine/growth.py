@@ -49,8 +49,8 @@ class RingGrowth(Description):
     ``fit`` serves where the centrifugal growth is ``"computed"`` (theory: rings).
     """
 
-    static: Annotated[Growth, "growth at rest, part of every speed"] = 0.0
-    centrifugal: Annotated[QuadraticInSpeed | Computed | None, "added with speed"] = None
+    static: Annotated[Growth, "growth at rest, included at every speed"] = 0.0
+    centrifugal: Annotated[QuadraticInSpeed | Computed | None, "growth added at speed"] = None
     fit: Annotated[
         InterferenceFit | None, "fit of ring and shaft, needed where growth is `computed`"
     ] = None

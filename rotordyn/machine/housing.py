@@ -18,9 +18,11 @@ OneValue = Mapping[tuple[Dof, Dof], float]
 Carried = Annotated[
     tuple[Name, ...],
     Items(),
-    "supports (none between two rotors) and bearings that stand on it; all others stand on ground",
+    "supports (none between two rotors) and bearings on this housing; all others are on ground",
 ]
-HousingName = Annotated[Name, "of the housing, and of no support, bearing or rotor"]
+HousingName = Annotated[
+    Name, "name of the housing, different from those of supports, bearings and rotors"
+]
 
 
 @dataclass(frozen=True, slots=True)

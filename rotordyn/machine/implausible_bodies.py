@@ -36,8 +36,8 @@ def _discs(spindle: Spindle) -> Iterator[str]:
         if shared > BORED * _ring(disc):
             yield (
                 f"disc {disc.name} and the shaft fill the same space: its bore is "
-                f"{disc.inner_diameter * 1e3:.4g} mm, the shaft there {under * 1e3:.4g} mm, "
-                "so that mass is counted twice; let the bore be the shaft's diameter"
+                f"{disc.inner_diameter * 1e3:.4g} mm, the shaft there {under * 1e3:.4g} mm, so "
+                "that mass is counted twice; give it the shaft's diameter as bore"
             )
     for one, other in combinations(spindle.discs, 2):
         high = min(one.outer_diameter, other.outer_diameter)

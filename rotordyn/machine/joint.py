@@ -33,7 +33,7 @@ class Joint(Description):
 
     def _faults(self) -> Faults:
         if all(math.isinf(getattr(self, way)) for way in WAYS):
-            yield (), f"a joint that gives way nowhere: one of {', '.join(WAYS)} must be given"
+            yield (), f"a joint without flexibility: give at least one of {', '.join(WAYS)}"
         for way in WAYS:
             if math.isinf(getattr(self, way)) and getattr(self, f"{way}_damping") > 0.0:
                 yield (), f"{way} is rigid and has a damper: give it a stiffness as well"

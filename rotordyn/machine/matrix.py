@@ -76,7 +76,7 @@ class Matrix:
 def _entry(kind: str, rotations: int) -> Quantity:
     names, limit = (kind, f"coupling {kind}", f"tilt {kind}"), f"{MOST[kind]:g}"
     bound = f"{limit} {_UNITS[kind][rotations]}"
-    instead = ", or rigid: no give at all" if kind == "stiffness" else ""
+    instead = ", or rigid: no displacement" if kind == "stiffness" else ""
     return Quantity(names[rotations], at_least=f"-{bound}", at_most=bound, instead=instead)
 
 
@@ -144,7 +144,7 @@ def acts(value: Value | list[float]) -> bool:
 def no_spring(stiffness: Entries) -> Iterator[str]:
     """Yield a sentence where a loss factor has no symmetric, positive semidefinite stiffness."""
     if not any(acts(value) for value in stiffness.values()):
-        yield "loss_factor is of a stiffness, and there is none"
+        yield "loss_factor needs a stiffness: none is given"
         return
     rows = max(len(value) if isinstance(value, tuple) else 1 for value in stiffness.values())
     for k in range(rows):
@@ -153,13 +153,12 @@ def no_spring(stiffness: Entries) -> Iterator[str]:
             other = entries.get((column, row), 0.0)
             if abs(value - other) > SYMMETRIC * max(abs(value), abs(other)):
                 yield (
-                    "loss_factor is of a spring, and its stiffness is not symmetric: given "
-                    f"{entry_name(row, column)} {value:.6g} and {entry_name(column, row)} "
-                    f"{other:.6g}"
+                    f"loss_factor needs a symmetric stiffness: given {entry_name(row, column)} "
+                    f"{value:.6g} and {entry_name(column, row)} {other:.6g}"
                 )
                 return
         if not _resists(entries):
-            yield "loss_factor is of a spring, and there is a motion that its stiffness drives"
+            yield "loss_factor needs a positive semidefinite stiffness"
             return
 
 

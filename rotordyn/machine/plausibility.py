@@ -60,9 +60,8 @@ def estimates(bearings: Mapping[str, BallBearing]) -> Iterator[str]:
             doubted.setdefault(bearing.doubt, []).append(name)
     for text, names in named.items():
         yield (
-            f"{_which(names)}: estimate from catalogue values (nine in ten plausible "
-            "internal geometries): "
-            f"{text}; what hangs on balls and grooves spreads with them"
+            f"{_which(names)}: estimate from catalogue values (nine in ten plausible internal "
+            f"geometries): {text}; results that depend on balls and grooves vary as much"
         )
     yield from (f"{_which(names)}: {text}" for text, names in doubted.items() if text)
 
@@ -158,7 +157,7 @@ def _tip(spindle: Spindle) -> Iterator[str]:
     if NEAR < behind < end - start - NEAR:
         yield (
             f"point tip lies {behind * 1e3:.4g} mm behind the front end: give it as `front` in the "
-            "points of the tool, which follows its sections, or call it otherwise"
+            "points of the tool, which follows its sections, or rename it"
         )
 
 
@@ -200,9 +199,9 @@ def _arrangement(spindle: Spindle) -> Iterator[str]:
     if facing and not any(word == "O" for *_, word in spindle.pairings):
         names = ", ".join(f"{front} and {rear}" for front, rear in facing)
         yield (
-            f"bearings {names} stand face to face (X): their contact lines meet between them, "
-            "which holds tilt with a short base; back to back (O) is usual in spindles, by the "
-            "opposite thrust of both"
+            f"bearings {names} are mounted face to face (X): their contact lines meet between "
+            "them, so that they restrain tilt with a short base; back to back (O) is usual in "
+            "spindles: reverse the thrust of both"
         )
 
 
@@ -210,7 +209,7 @@ def _low_speed(top: float) -> Iterator[str]:
     """Warn of speeds a thousand times too low, as of a point meant to separate thousands."""
     if 0.0 < top * RPM < SLOW:
         yield (
-            f"the highest speed is {top * RPM:.4g} rpm: check it; a point parts decimals, not "
+            f"the highest speed is {top * RPM:.4g} rpm: check it; a point separates decimals, not "
             "thousands (12.000 rpm is 12 rpm)"
         )
 
@@ -230,7 +229,7 @@ def _speed_factors(spindle: Spindle, top: float) -> Iterator[str]:
         largest = max(_free_growth(seat, top) for seat in growing)
         yield (
             f"bearings {names}: no centrifugal ring growth is given above n·dm "
-            f"{GROWING / 1e6:g} million mm/min, where a steel ring by itself grows by up to "
+            f"{GROWING / 1e6:g} million mm/min, where a free steel ring grows by up to "
             f"{largest * 1e6:.2g} µm on the radius at {top * RPM:.0f} rpm, and contact angles and "
             "preload follow: give growth.centrifugal or a fit"
         )
@@ -247,9 +246,9 @@ def _thin_walls(spindle: Spindle) -> Iterator[str]:
     ]
     if thin:
         yield (
-            f"rings of bearing {', '.join(thin)} are taken as rigid, but the wall there gives: "
-            "stiffnesses are some hundredths too high, under radial loads up to a tenth; "
-            "flexible_rings takes them as they are"
+            f"rings of bearing {', '.join(thin)} are modelled as rigid, but the wall there is "
+            "flexible: stiffnesses are some hundredths too high, under radial loads up to a tenth; "
+            "flexible_rings models the deformation"
         )
 
 
@@ -272,7 +271,7 @@ def _common_walls(spindle: Spindle) -> Iterator[str]:
     if common:
         yield (
             f"rings of bearings {', '.join(common)} share one thin wall, and each is computed with "
-            "a wall of its own: what flexible_rings change there may be up to twice as much"
+            "a separate wall: the effect of flexible_rings there may be up to twice as large"
         )
 
 
@@ -297,9 +296,9 @@ def _loose_rings(spindle: Spindle) -> Iterator[str]:
     ]
     if loose:
         yield (
-            f"outer ring of bearing {', '.join(loose)}: has play in its housing by its fit, and "
-            "yet deforms as one body with it here; it gives more than computed until it rests on "
-            "the housing"
+            f"outer ring of bearing {', '.join(loose)}: has clearance in its housing by its fit, "
+            "but is modelled as one body with it; it is more flexible than computed until it rests "
+            "on the housing"
         )
 
 

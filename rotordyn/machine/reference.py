@@ -32,16 +32,16 @@ class Reference(Description):
     that gives them, such as ``{"rotor": "rigid"}``.
     """
 
-    quantity: Annotated[str, Choice(tuple(QUANTITIES)), "quantity that is known"]
+    quantity: Annotated[str, Choice(tuple(QUANTITIES)), "quantity of the known values"]
     kind: Annotated[str, Choice(KINDS), "computed by others, or measured"]
-    source: Annotated[str, "where it was found"]
+    source: Annotated[str, "publication or measurement that gives the values"]
     speeds: Annotated[tuple[Speed, ...], Items(), "one per value, or one for all"]
     values: Annotated[tuple[float, ...], Items(), "known values, with units of the quantity"]
     subject: Annotated[str, "variant, sleeve or bearing it belongs to"] = ""
     remark: Annotated[str, "one sentence why it may differ from the computed value"] = ""
     conditions: Annotated[
         Mapping[str, str | float | bool | None],
-        "compared only where these conditions are in force",
+        "the values are compared only under these conditions",
     ] = field(default_factory=dict, hash=False)
 
     def _faults(self) -> Faults:

@@ -70,10 +70,10 @@ class Rotor(Description):
     ]
     speed_ratio: Annotated[
         SpeedRatio,
-        "its speed over that of the spindle: 1 turns with it, 0 stands still, below 0 turns the "
-        "other way round",
+        "its speed over that of the spindle: 1 turns with it, 0 does not turn, below 0 turns in "
+        "the opposite direction",
     ]
-    shaft: Annotated[Shaft, "its own, at stations of the same axis"]
+    shaft: Annotated[Shaft, "shaft of the rotor, at stations of the same axis"]
     masses: Annotated[tuple[PointMass, ...], "rigid masses on it"] = ()
     discs: Annotated[tuple[Disc, ...], "rigid discs on it"] = ()
     points: Annotated[

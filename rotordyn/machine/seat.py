@@ -67,8 +67,8 @@ class BearingSeat(Description):
     thrust: Annotated[
         int,
         THRUST,
-        "the way the shaft pushes the inner ring to load the balls; of kinds that take thrust both "
-        "ways only needed on a sleeve",
+        "direction in which the shaft pushes the inner ring to load the balls; kinds that take "
+        "thrust both ways need it only on a sleeve",
     ] = 0
     growth: Annotated[RingGrowth, "instead of that of the spindle"] = field(
         default_factory=RingGrowth
@@ -136,23 +136,23 @@ class BearingSeat(Description):
         if self.thrust == 0 and not bearing.both_ways:
             yield (
                 ("thrust",),
-                f"missing key: kind {kind_of(bearing)} takes thrust one way only; allowed: "
-                "+x, -x, the way the shaft pushes the inner ring to load the balls",
+                f"missing key: kind {kind_of(bearing)} takes thrust one way only; allowed: +x, -x, "
+                "the direction in which the shaft pushes the inner ring to load the balls",
             )
         yield from self._ring_faults(bearing)
         room = bearing.largest_static_growth
         if self.growth.static > room:
             yield (
                 ("growth", "static"),
-                "takes the whole contact angle: given {given}; allowed: up to "
+                f"reduces the contact angle to 0: given {{given}}; allowed: up to "
                 f"{format_quantity(room, 'um')}",
             )
         least = bearing.smallest_static_growth
         if self.growth.static < least:
             yield (
                 ("growth", "static"),
-                "leaves no contact angle, the grooves too far apart: given {given}; allowed: from "
-                f"{format_quantity(least, 'um')}",
+                f"leaves no contact angle, since the grooves are too far apart: given {{given}}; "
+                f"allowed: from {format_quantity(least, 'um')}",
             )
 
     def _ring_faults(self, bearing: BallBearing) -> Faults:
@@ -180,14 +180,14 @@ class BearingSeat(Description):
         if fits is not None and fits.under_balls and bodies is not None and bodies.outer:
             yield (
                 ("fits", "under_balls"),
-                "beside an outer ring that deforms, which the balls expand already: leave it out, "
-                "or let the inner ring alone deform (flexible_rings: {which: inner})",
+                "given beside a flexible outer ring, which the balls expand already: leave it out, "
+                "or make only the inner ring flexible (flexible_rings: {which: inner})",
             )
         if fits is not None and self.growth != RingGrowth():
             yield (
                 ("fits",),
-                "fits beside a given growth, which contradict one another: growth follows from the "
-                "fits; leave one of both out (growth: {static: 0 um} takes away that of a model)",
+                "fits contradict a given growth: growth follows from the fits; leave one of the "
+                "two out (growth: {static: 0 um} removes that of a model)",
             )
 
 

@@ -50,11 +50,14 @@ class Section(Description):
     rear_outer_diameter: Annotated[
         Diameter | None, "outer diameter at the rear end, where it differs: a cone"
     ] = None
-    rear_inner_diameter: Annotated[Bore | None, "likewise, of the bore"] = None
+    rear_inner_diameter: Annotated[
+        Bore | None, "inner diameter at the rear end, where it differs"
+    ] = None
     mean_density: Annotated[
         MeanDensity | None,
         "mass over volume, for inertia and weight, where slots, windings or a filled bore make it "
-        "another than the material's; centrifugal growth and shortening keep that",
+        "differ from the density of the material; centrifugal growth and shortening use that of "
+        "the material",
     ] = None
 
     def _faults(self) -> Faults:
@@ -166,7 +169,7 @@ def _taper_faults(outer: tuple[float, float], inner: tuple[float, float]) -> Fau
     elif max(abs(math.log(b / a)) for a, b in (outer, wall)) > math.log(STEEPEST):
         yield (
             (),
-            f"a cone too steep: outer diameter {outer[0]:.6g} m to {outer[1]:.6g} m, wall "
+            f"the cone is too steep: outer diameter {outer[0]:.6g} m to {outer[1]:.6g} m, wall "
             f"{wall[0] / 2.0:.6g} m to {wall[1] / 2.0:.6g} m; allowed: a ratio up to "
             f"{STEEPEST:g} of either; divide it",
         )

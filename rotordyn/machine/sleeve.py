@@ -28,7 +28,9 @@ class Spring(Description):
         "rings, or difference of spacers",
     ] = None
     free: Annotated[
-        bool, "the preload is that of a pair of such bearings before it is mounted, as of a class"
+        bool,
+        "the preload is that of a pair of such bearings before it is mounted, as in a preload "
+        "class",
     ] = False
 
     @property
@@ -48,9 +50,12 @@ class Spring(Description):
     def _faults(self) -> Faults:
         if (self.free or self.offset is not None) and math.isfinite(self.stiffness):
             key = "offset" if self.offset is not None else "free"
-            yield (key,), "is of a rigid preload: given beside a stiffness; allowed: with rigid"
+            yield (key,), "needs a rigid preload: given beside a stiffness; allowed: with rigid"
         if self.offset is not None and (self.preload > 0.0 or self.free):
-            yield ("offset",), "given beside a preload: one gives the other; leave one of both out"
+            yield (
+                ("offset",),
+                "given beside a preload: one determines the other; leave one of the two out",
+            )
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,14 +69,14 @@ class Sleeve(Description):
     name: Annotated[Name, "name of the sleeve"]
     bearings: Annotated[tuple[Name, ...], Items(), "bearings whose outer rings it carries"]
     spring: Annotated[Spring, "spring that loads these bearings"]
-    stop_travel: Annotated[StopTravel, "way against the spring, from rest to the end stop"] = (
+    stop_travel: Annotated[StopTravel, "travel against the spring, from rest to the end stop"] = (
         math.inf
     )
     mass: Annotated[Mass, "mass of the sleeve"] = 0.0
     radial_stiffness: Annotated[Rigidity, "between sleeve and housing"] = math.inf
     ball_guide: Annotated[
         BallGuide | None,
-        "balls between sleeve and housing, which give that stiffness instead "
+        "balls between sleeve and housing, which determine that stiffness instead "
         "([theory](theory/supports.md#ball-guides))",
     ] = None
     friction: Annotated[
@@ -85,7 +90,10 @@ class Sleeve(Description):
 
     def _faults(self) -> Faults:
         if self.ball_guide is not None and self.radial_stiffness < math.inf:
-            yield ("radial_stiffness",), "given beside ball_guide, which gives it: one of both"
+            yield (
+                ("radial_stiffness",),
+                "given beside ball_guide, which determines it: leave one of the two out",
+            )
         if 0.0 < self.mass < LEAST_MASS:
             yield ("mass",), f"out of range: given {{given}}; allowed: 0, or from {LEAST_MASS:g} kg"
         if self.radial_stiffness < LEAST_HOLD:

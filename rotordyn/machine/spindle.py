@@ -74,11 +74,11 @@ class Spindle(Description):
     note: Annotated[str, "remark: what is known, assumed, estimated"] = ""
     references: Annotated[tuple[Reference, ...], "known values shown beside the computed ones"] = ()
     housings: Annotated[
-        tuple[Housing, ...], "flexible bodies on which supports and bearings stand"
+        tuple[Housing, ...], "flexible bodies that carry supports and bearings"
     ] = ()
     joints: Annotated[tuple[Joint, ...], "between parts of the shaft, as of a tool holder"] = ()
     rotors: Annotated[
-        tuple[Rotor, ...], "further ones on the same axis, turning at their own speeds"
+        tuple[Rotor, ...], "further rotors on the same axis, each with its speed"
     ] = ()
     loss_factor: Annotated[
         LossFactor,
@@ -90,7 +90,9 @@ class Spindle(Description):
         tuple[SqueezeFilmDamper, ...], "squeeze films between the shaft and ground"
     ] = ()
     cutter_diameter: Annotated[float | None, HIDDEN] = None
-    motor: Annotated[Motor | None, "motor that drives it; limits a cut beside chatter"] = None
+    motor: Annotated[Motor | None, "motor that drives it; limits a cut in addition to chatter"] = (
+        None
+    )
 
     def __post_init__(self) -> None:
         bearing_set: object = self.arrangement
@@ -277,7 +279,7 @@ class Spindle(Description):
         same &= all(getattr(self, name)[k:] == getattr(tool, name) for name, k in last.items())
         if not same:
             raise InvalidInput(
-                "the tool in the nose was changed as a part of the spindle: change it as the tool"
+                "the tool in the nose was changed as part of the spindle: change the tool instead"
             )
         return replace(
             self,

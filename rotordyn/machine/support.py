@@ -81,7 +81,7 @@ class LinearSupport(Description):
         if not faults and self.loss_factor != 0.0:
             yield from ((("loss_factor",), why) for why in no_spring(self.stiffness))
         if self.beyond == "hold" and not self.speeds:
-            yield ("beyond",), "hold is of a table over speed, and there is none"
+            yield ("beyond",), "hold needs a table over speed: none is given"
         yield from ascending("speeds", self.speeds)
         yield from repeated("rigid", self.rigid)
         named = {dof for pair in (*self.stiffness, *self.damping) for dof in pair}
@@ -89,7 +89,8 @@ class LinearSupport(Description):
             if dof in named:
                 yield (
                     ("rigid",),
-                    f"{dof} is held rigidly and has entries of stiffness or damping: one of both",
+                    f"{dof} is rigid and has entries of stiffness or damping: leave one of the two "
+                    "out",
                 )
 
     def _table_faults(self) -> Faults:
@@ -154,9 +155,9 @@ class LinearSupport(Description):
         """Yield a sentence with the first of ``speeds`` [rad/s] outside its table."""
         for speed in beside(self.speeds, speeds)[:1] if self.beyond == "refuse" else ():
             yield (
-                f"support '{self.name}' is not known at that speed: given "
-                f"{speed / RPM:.6g} rpm; allowed: {self.speeds[0] / RPM:.6g} rpm to "
-                f"{self.speeds[-1] / RPM:.6g} rpm, the range of its table; or beyond: hold"
+                f"support '{self.name}' has no values at that speed: given {speed / RPM:.6g} rpm; "
+                f"allowed: {self.speeds[0] / RPM:.6g} rpm to {self.speeds[-1] / RPM:.6g} rpm, the "
+                "range of its table; or beyond: hold"
             )
 
     def held_at(self, speeds: Iterable[float]) -> Iterator[str]:
@@ -172,8 +173,8 @@ class LinearSupport(Description):
                 )
                 at = low if low == high else f"{low} to {high}"
                 yield (
-                    f"support '{self.name}' is held beyond its table as at {end[0] / RPM:.6g} rpm, "
-                    f"at {at}: extend the table"
+                    f"support '{self.name}' keeps its values at {end[0] / RPM:.6g} rpm beyond its "
+                    f"table, at {at}: extend the table"
                 )
 
     @property

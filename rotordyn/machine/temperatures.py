@@ -68,11 +68,11 @@ class Temperatures(Description):
         Values | None, "temperature of all balls; by default the mean of both rings"
     ] = None
     bearings: Annotated[
-        Mapping[Name, BearingTemperatures], "bearing -> its own, instead of these"
+        Mapping[Name, BearingTemperatures], "bearing -> its temperatures, instead of these"
     ] = field(default_factory=dict)
     speeds: Annotated[tuple[Speed, ...], "speeds of the values in lists, ascending"] = ()
     reference: Annotated[
-        Temperature, "temperature of assembly, at which fits and preloads hold"
+        Temperature, "temperature of assembly, for which fits and preloads are given"
     ] = MEASURED
     housing_expansion: HousingExpansion = None
 
@@ -85,8 +85,8 @@ class Temperatures(Description):
         if all(value is None for _, value in entries):
             yield (
                 (),
-                "temperatures without a place: give shaft, housing, inner_rings, outer_rings, "
-                "balls or bearings",
+                "no temperature is given: give shaft, housing, inner_rings, outer_rings, balls or "
+                "bearings",
             )
         tables = [(path, value) for path, value in entries if isinstance(value, tuple)]
         for path, value in tables:

@@ -38,7 +38,8 @@ class Tool(Description):
     ] = ()
     cutter_diameter: Annotated[
         Diameter | None,
-        "diameter over the teeth of a milling cutter, where flutes count as a thinner cylinder",
+        "diameter over the teeth of a milling cutter, where the sections describe the flutes as a "
+        "thinner cylinder",
     ] = None
 
     def _faults(self) -> Faults:

@@ -59,7 +59,7 @@ def last_setting_faults(setting: Setting) -> Faults:
         if growth > room:
             yield (
                 ("spindle", "bearings", index, "fits"),
-                f"the fits of bearing {seat.name} take its whole contact angle: growth "
+                f"the fits of bearing {seat.name} reduce its contact angle to 0: growth "
                 f"{format_quantity(growth, 'um')}; allowed: up to {format_quantity(room, 'um')}",
             )
 
@@ -99,8 +99,8 @@ def _shaft_faults(spindle: Spindle) -> Faults:
     if free and not spindle.seats and "" not in {support.name for support in spindle.supports}:
         yield (
             ("spindle", "supports"),
-            f"the shaft is not held: no bearings, no support with stiffness {' and '.join(free)}; "
-            "give it, of a shaft that is to be free 1e-15 N/m",
+            "the shaft is unrestrained: no bearings, no support with stiffness "
+            f"{' and '.join(free)}; give it, for a free shaft 1e-15 N/m",
         )
 
 
@@ -125,14 +125,14 @@ def _load_faults(setting: Setting) -> Faults:
         if load.Fx and spindle.rotors:
             yield (
                 (*path, index, "Fx"),
-                "an axial force takes no further rotors, on whose supports it would be shared: "
+                "an axial force is not allowed with further rotors, whose supports would share it: "
                 "given {given}; leave it out",
             )
     if conditions.loads and not spindle.seats:
         yield (
             path,
             "loads of the conditions act on the state of bearings, and this spindle has none: "
-            "linear supports do not follow them; give the loads to section_forces",
+            "linear supports do not depend on them; give the loads to section_forces",
         )
     if setting.loaded and conditions.formulation == ROTATING:
         cause = "under static loads (loads, weight, misaligned seats)"
@@ -149,7 +149,10 @@ def _temperature_faults(setting: Setting) -> Faults:
         return
     key = ("conditions", "temperatures")
     if not spindle.seats:
-        yield key, "temperatures act on the state of bearings, and this spindle has none: leave out"
+        yield (
+            key,
+            "temperatures act on the state of bearings, and this spindle has none: leave them out",
+        )
     names = [seat.name for seat in spindle.seats]
     for name in temperatures.bearings:
         for sentence in unknown("bearing", name, names):
@@ -159,7 +162,7 @@ def _temperature_faults(setting: Setting) -> Faults:
     if spindle.rubs:
         passed_speeds = Past(conditions.history).speeds
     elif conditions.bearings == "static":
-        passed_speeds, why = (0.0,), "at which bearings stay"
+        passed_speeds, why = (0.0,), "at which bearings are solved"
     uncovered = temperatures.unknown_at((*setting.speeds, *passed_speeds))
     if uncovered is not None:
         which = "" if uncovered in setting.speeds else f", {why}"
@@ -192,13 +195,13 @@ def _film_faults(setting: Setting) -> Faults:
     if conditions.films is None:
         return
     if not setting.spindle.seats:
-        yield path, "films carry balls, and this spindle has no bearings: leave out"
+        yield path, "films carry balls, and this spindle has no bearings: leave them out"
     if conditions.heat_flow is not None:
         yield path, "given beside heat_flow; allowed: one of the two"
     if conditions.bearings == "static":
         yield path, "needs bearings at speed: given conditions.bearings: static"
     if conditions.tangent != "complete":
-        yield path, f"films have the complete tangent alone: given tangent {conditions.tangent}"
+        yield path, f"films need the complete tangent: given tangent {conditions.tangent}"
 
 
 def _axial_restraint_faults(spindle: Spindle, conditions: Conditions) -> Faults:
@@ -210,8 +213,8 @@ def _axial_restraint_faults(spindle: Spindle, conditions: Conditions) -> Faults:
         if nonzero:
             yield (
                 ("conditions", key),
-                "nothing holds the shaft along its axis: given {given}; allowed: with bearings, or "
-                "with a support that has the stiffness xx or is rigid in x; tension needs none",
+                "the shaft is unrestrained along its axis: given {given}; allowed: with bearings, "
+                "or with a support that has the stiffness xx or is rigid in x; tension needs none",
             )
 
 
@@ -222,7 +225,7 @@ def _isotropy_faults(support: LinearSupport) -> Faults:
     if "bending" in coupled_motions([support]):
         what = f"support '{support.name}' couples bending with another motion"
     elif one_sided:
-        what = f"support '{support.name}' holds only one of {' and '.join(one_sided[0])} rigidly"
+        what = f"support '{support.name}' is rigid in only one of {' and '.join(one_sided[0])}"
     if what:
         yield _no_rotating_frame(what)
         return
@@ -249,7 +252,7 @@ def _housing_faults(spindle: Spindle, conditions: Conditions) -> Faults:
     if spindle.housings and conditions.formulation == ROTATING:
         yield (
             FORMULATION,
-            "a rotating frame cannot describe housings, which stand still: given 'rotating'; "
+            "a rotating frame cannot describe housings, which do not turn: given 'rotating'; "
             "allowed: inertial",
         )
     loaded = abs(conditions.axial_force) > 0.0 or bool(conditions.pull[0])
@@ -258,7 +261,7 @@ def _housing_faults(spindle: Spindle, conditions: Conditions) -> Faults:
             what = "of bearings" if spindle.seats else "of axial force and weight"
             yield (
                 ("spindle", "housings", index, *_along(housing)),
-                f"housing {housing.name} moves along x, and the static state {what} is that on "
+                f"housing {housing.name} moves along x, but the static state {what} is computed on "
                 "ground: leave x out",
             )
 
@@ -274,9 +277,9 @@ def _joint_faults(spindle: Spindle, conditions: Conditions) -> Faults:
         if math.isfinite(joint.axial) and min(fixed) <= joint.x < max(fixed):
             yield (
                 ("spindle", "joints", index, "axial"),
-                f"joint {joint.name} gives way along x between bearings, or supports that hold the "
-                "shaft along, and the preload state is that of a shaft rigid along its axis: leave "
-                "axial out, or move the joint in front of all of them",
+                f"joint {joint.name} is flexible along x between bearings, or supports that "
+                "restrain the shaft along x, but the preload state is that of a shaft rigid along "
+                "its axis: leave axial out, or move the joint in front of all of them",
             )
 
 
@@ -297,8 +300,8 @@ def _rotor_faults(spindle: Spindle, conditions: Conditions) -> Faults:
     if conditions.pull[0]:
         yield (
             ("conditions", "gravity"),
-            "weight along the axis takes no further rotors, on whose supports it would be shared: "
-            f"given '{conditions.gravity}'; allowed: none",
+            "weight along the axis is not allowed with further rotors, whose supports would share "
+            f"it: given '{conditions.gravity}'; allowed: none",
         )
     if abs(conditions.axial_force) > 0.0:
         yield (
@@ -330,9 +333,9 @@ def _axial_tie_faults(supports: Iterable[LinearSupport]) -> Faults:
         names = ", ".join(f"'{tie.name}'" for tie in ties if set(tie.ends) <= reached)
         yield (
             ("spindle",),
-            f"supports {names} tie the shaft along the axis to ground by way of another rotor, "
-            "beside bearings whose preload state is that of the shaft alone: leave out entries of "
-            "x",
+            f"supports {names} connect the shaft along the axis to ground through another rotor, "
+            "but the preload state of the bearings is that of the shaft alone: leave out entries "
+            "of x",
         )
 
 
@@ -348,7 +351,8 @@ def _coupling_faults(setting: Setting) -> Faults:
             names = ", ".join(entry_name(*pair) for pair in support.axial_coupling)
             yield (
                 ("spindle",),
-                f"support '{support.name}' pushes the shaft aside as its preload state moves it "
-                f"along the axis ({names}): bearings are solved under axial load alone; leave "
-                "these entries out, or set bearings: static without axial force, weight and loads",
+                f"support '{support.name}' pushes the shaft across the axis as its preload state "
+                f"moves it along the axis ({names}), but bearings are solved under axial load "
+                "alone: leave these entries out, or set bearings: static without axial force, "
+                "weight and loads",
             )

@@ -124,8 +124,8 @@ def at_rest(
     if not converged.all():
         rpm = scene.speed[scene.usable[int(converged.argmin())]] * RPM.factor
         raise NoSolution(
-            f"the bent shaft finds no equilibrium under its axial force at {rpm:.0f} rpm: it is "
-            "near buckling; lower the axial force, or leave it out by axial_stiffening: false"
+            f"the bent shaft has no static equilibrium under its axial force at {rpm:.0f} rpm: it "
+            "is near buckling; lower the axial force, or leave it out by axial_stiffening: false"
         )
     return solve(solution.reshape(shape) * unit)
 
@@ -197,8 +197,8 @@ def _free_body(imbalance: Array, scale: Array) -> str:
     force, moment = np.abs(imbalance[:3]).max(), np.abs(imbalance * scale)[3:].max()
     amount = f"{moment:.6g} N m" if names.startswith("th") else f"{force:.6g} N"
     return (
-        f"free body in a static case: nothing holds {names}, and the loads there are out of "
-        f"balance by {amount}; balance them, or hold it by a support"
+        f"free body in a static case: {names} unrestrained, with loads out of balance by {amount}; "
+        "balance them, or restrain the body by a support"
     )
 
 

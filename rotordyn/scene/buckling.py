@@ -77,5 +77,5 @@ class Loading:
         largest, _ = boundary(lambda share: bool(self._withstands(rows, share, share)[0]), 0.0, 1.0)
         return (
             f"the {cause} buckles the shaft at {rpm:.0f} rpm, {largest:.3g} times that force "
-            "would not: lessen it or hold the shaft better"
+            "would not: reduce it or support the shaft more stiffly"
         )

@@ -41,7 +41,7 @@ class Conditions(Description):
     ] = "equal"
     friction: Annotated[
         Friction,
-        "coefficient that limits the gyroscopic moment a race holds "
+        "coefficient that limits the gyroscopic moment on a race "
         "([theory](theory/ball.md#friction)); `none`: no limit",
     ] = math.inf
     dynamics: Annotated[
@@ -56,9 +56,9 @@ class Conditions(Description):
         "stiffness of a spindle's bearings where they act as springs "
         "([theory](theory/ball.md#the-tangent))",
     ] = "complete"
-    bearings: Annotated[str, Choice(BEARINGS), "`static`: the state at rest serves every speed"] = (
-        "dynamic"
-    )
+    bearings: Annotated[
+        str, Choice(BEARINGS), "`static`: the state at rest is used at every speed"
+    ] = "dynamic"
     rotor: Annotated[str, Choice(ROTOR), "`rigid`: the shaft does not bend, stretch or twist"] = (
         "flexible"
     )
@@ -81,8 +81,8 @@ class Conditions(Description):
     ] = ()
     temperatures: Annotated[
         Temperatures | None,
-        "temperatures of shaft, housing, rings and balls; by default those of the "
-        "reference ([what they do](theory/rings.md#temperature))",
+        "temperatures of shaft, housing, rings and balls; by default those of the reference "
+        "([effects](theory/rings.md#temperature))",
     ] = None
     heat_flow: Annotated[
         SpindleHeatFlow | None,
@@ -91,21 +91,23 @@ class Conditions(Description):
     ] = None
     history: Annotated[
         tuple[HistoryStep, ...],
-        "steps from assembly on, which dry friction of sleeves remembers. By default "
-        "the spindle takes its temperatures and runs up to every speed of the case. "
-        "At each of them the temperatures and forces of the conditions follow in the "
-        "end ([how](theory/network.md#friction-in-all-analyses))",
+        "steps from assembly on, on which the dry friction of sleeves depends. By default the "
+        "spindle takes its temperatures and runs up to every speed of the case. At each of them "
+        "the temperatures and forces of the conditions come last "
+        "([how](theory/network.md#friction-in-all-analyses))",
     ] = ()
     films: Annotated[
         Lubrication | None,
-        "oil on whose films the balls of every bearing ride: they let them grow and soften them "
-        "([theory](theory/life.md#films)); by default balls touch their races",
+        "oil whose films separate the balls of every bearing from the races: films act as larger "
+        "balls and as springs in series ([theory](theory/life.md#films)); by default balls touch "
+        "their races",
     ] = None
     accuracy: Annotated[
-        Accuracy, "relative error allowed of every frequency asked for; the elements follow"
+        Accuracy,
+        "allowed relative error of every requested frequency, which determines the elements",
     ] = 1e-4
     element_length: Annotated[
-        Length | None, "standard elements no longer than that instead, whatever their error"
+        Length | None, "greatest length of standard elements instead, whatever their error"
     ] = None
     formulation: Annotated[
         str,
@@ -125,8 +127,8 @@ class Conditions(Description):
                 if step.warm:
                     yield (
                         ("history", k, "warm"),
-                        "no temperatures to take: given {given}; allowed: beside temperatures or "
-                        "heat_flow in the conditions",
+                        "no temperatures are given for this step: given {given}; allowed: beside "
+                        "temperatures or heat_flow in the conditions",
                     )
 
     @property

@@ -16,12 +16,12 @@ FORMULATIONS = (INERTIAL, ROTATING, SOFTENED)
 
 _SENTENCES = {
     ROTATING: (
-        "formulation rotating: bending frequencies and receptances are those seen from a frame "
-        "that rotates with the shaft"
+        "formulation rotating: bending frequencies and receptances are those in a frame that "
+        "rotates with the shaft"
     ),
     SOFTENED: (
-        "formulation fixed-frame softening: Ω² M_ω is subtracted in the fixed frame, which no "
-        "physics supports; bending frequencies come out too low at speed"
+        "formulation fixed-frame softening: Ω² M_ω is subtracted in the fixed frame, which has no "
+        "physical basis; bending frequencies come out too low at speed"
     ),
 }
 
@@ -34,8 +34,8 @@ def frame_notes(formulation: str) -> tuple[str, ...]:
 def turned(quantity: str) -> str:
     """Say why a velocity or acceleration over force is not given in the rotating frame."""
     return (
-        f"{quantity} in a frame that rotates with the shaft is what no sensor measures: take "
-        "receptance, or formulation: inertial"
+        f"no sensor measures {quantity} in a frame that rotates with the shaft: take receptance, "
+        "or formulation: inertial"
     )
 
 
@@ -57,6 +57,6 @@ def require_isotropic(scene: Scene) -> None:
             )
         if not linear.isotropic:
             raise InvalidInput(
-                "the rotating formulation needs supports that respond alike in all directions, and "
-                "those of this machine do not: use the inertial one"
+                "the rotating formulation needs isotropic supports, and those of this machine are "
+                "anisotropic: use the inertial one"
             )

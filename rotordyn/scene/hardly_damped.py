@@ -14,6 +14,6 @@ def hardly_damped(peak: str, mode: str, ratio: float) -> str:
     """
     has = f"has a damping ratio of {ratio:.0e} only" if ratio > 0.0 else "has no damping"
     return (
-        f"{peak} is set by {mode}, which {has}, so that its height means nothing: give damping of "
+        f"{peak} is set by {mode}, which {has}, so that its height is meaningless: give damping of "
         "the bearings or supports in which that mode moves, or damping.rotor"
     )

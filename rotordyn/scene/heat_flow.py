@@ -127,6 +127,6 @@ class MountedHeatFlow(HeatFlow):
     mounting: Annotated[
         str,
         Choice(MOUNTINGS),
-        "`rigid`: the rings keep the place that the load gives them at rest and 20 °C, so that "
-        "growth raises it; `spring`: the load stays",
+        "`rigid`: the rings keep the position that the load gives them at rest and 20 °C, so that "
+        "growth raises the load; `spring`: the load is constant",
     ] = MOUNTINGS[0]

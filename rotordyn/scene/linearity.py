@@ -105,10 +105,9 @@ def tangent_warnings(
             beyond = (np.nan_to_num(apart, posinf=np.inf) > REPORTED).any(axis=1)
             where = f", first at {number(float(speed[beyond.argmax()]) * RPM.factor, 0)} rpm"
         yield (
-            f"{what}: bearings are moved so far that their loads depart from those of their "
-            f"tangents{where}: {', '.join(reported)}; "
-            "results there are right in kind only, not in size: lower the loads, or see "
-            "bearing_loads, stiffness or time_response, which follow the law of the bearings"
+            f"{what}: bearings are displaced so far that their loads differ from the linearised "
+            f"ones{where}: {', '.join(reported)}; results there are qualitative only: lower the "
+            "loads, or use bearing_loads, stiffness or time_response, which have nonlinear bearings"
         )
 
 
@@ -120,7 +119,7 @@ def not_small(what: str, speed: Array, slope: NDArray[np.floating]) -> Iterator[
     if largest[row] > SMALL:
         yield (
             f"{what}: the shaft is inclined by up to {np.degrees(largest[row]):.3g}° at "
-            f"{number(float(speed[row]) * RPM.factor, 0)} rpm, where only small deflections are "
-            "meant: results there are right in kind only, not in size: lower the loads, an axial "
-            "force near buckling among them, or hold the shaft closer"
+            f"{number(float(speed[row]) * RPM.factor, 0)} rpm, beyond small deflections; results "
+            "there are qualitative only: lower the loads (or an axial force near buckling), or "
+            "support the shaft more closely"
         )

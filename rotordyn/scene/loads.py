@@ -110,8 +110,8 @@ class BalanceGrade(Description):
     planes: Annotated[
         tuple[At, ...],
         Items(1, 2),
-        "one or two points or stations that hold it; two share it by the levers of the centre of "
-        "gravity between them, neither below 0.3",
+        "one or two points or stations that carry it; two share it by the lever rule about the "
+        "centre of gravity between them, neither below 0.3",
     ]
     phase: Annotated[
         str, Choice(PHASES), "phase of the second plane: `static` like the first, `couple` opposite"
@@ -130,7 +130,7 @@ class TwistLimit(Description):
     start: Annotated[At, Key("from"), "one end of the piece"]
     to: Annotated[At, "the other end"]
     limit: Annotated[TwistAngle, "angle between the two sections"]
-    bore: Annotated[Bore, "bore of the uniform shaft whose outer diameter is sought"] = 0.0
+    bore: Annotated[Bore, "bore of the uniform shaft whose outer diameter is computed"] = 0.0
     name: Annotated[OptionalName, "name in summary and tables; by default its two ends"] = ""
 
     @property

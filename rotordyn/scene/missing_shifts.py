@@ -88,10 +88,10 @@ def _forces(scene: Scene, rows: Indices) -> Iterator[str]:
         first, last = stretch(spindle, tension, [min(stations), max(stations)]) * 1e6
         yield (
             f"{' and '.join(causes)} make{'s' * (len(causes) == 1)} the shaft "
-            f"{abs(last - first):.2g} "
-            f"µm {'shorter' if last < first else 'longer'} between its bearings, which preloads "
-            f"as given do not follow; that adds {most}, to first order: unless it is in them "
-            "already, give the preload, or the offset of its spring, as under this force"
+            f"{abs(last - first):.2g} µm {'shorter' if last < first else 'longer'} between its "
+            f"bearings, and the given preloads do not include that; it adds {most}, to first "
+            "order: unless they include it already, give the preload, or the offset of its spring, "
+            "under this force"
         )
 
 

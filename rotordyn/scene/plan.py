@@ -18,7 +18,7 @@ def _reason(scene: Scene, name: str) -> str:
     causes = (
         (name in ("preload", "tangents") and not scene.spindle.seats, "supports are linear"),
         (name == "shaft_force" and not scene.conditions.axial_stiffening, "it does not act here"),
-        (name in ("rotor", "subsystems"), "no analysis asks for vibration"),
+        (name in ("rotor", "subsystems"), "no analysis needs vibration"),
     )
     return next((why for holds, why in causes if holds), UNASKED)
 
@@ -60,7 +60,7 @@ def _vibration(scene: Scene) -> Iterator[str]:
                 "are one complex plane, half the unknowns"
             )
         if system.solved_once and len(linear.speed) > 1:
-            yield f"nothing in {name} follows the speed: solved once for all"
+            yield f"nothing in {name} depends on speed: solved once for all"
         if "bending" in linear.kinds:
             dofs = sum(len(component.dofs) for component in linear.components)
             yield f"{name}: {linear.size} coordinates for {dofs} degrees of freedom"

@@ -113,8 +113,9 @@ class Scene(Statics):
         for speed, coarse, fine in zip(self.speed, self.outcome, finer.outcome, strict=True):
             if bool(coarse) != bool(fine):
                 raise NoSolution(
-                    f"whether the machine has a state at {speed * RPM.factor:.6g} rpm hangs on how "
-                    f"fine its model is ({coarse or fine}): leave that speed out, or hold it better"
+                    f"whether the machine has a state at {speed * RPM.factor:.6g} rpm depends on "
+                    f"the refinement of its model ({coarse or fine}): leave that speed out, or "
+                    "support the machine more stiffly"
                 )
         return finer
 

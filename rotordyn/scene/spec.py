@@ -82,8 +82,8 @@ def redundant_support_faults(setting: Setting) -> Faults:
     if setting.conditions.rotor == "rigid" and has_redundant_supports(setting.spindle):
         yield (
             (),
-            "the reactions of a rigid rotor on these rigid supports are not determined: take "
-            "rotor: flexible, or give a support a stiffness",
+            "the reactions of a rigid rotor on these rigid supports are statically indeterminate: "
+            "take rotor: flexible, or give a support a stiffness",
         )
 
 
@@ -106,7 +106,7 @@ def turning(at: str | float, spindle: Spindle, path: Path) -> Faults:
         return
     rotor = spindle.place(at).rotor
     if spindle.ratios[rotor] == 0.0:
-        yield path, f"rotor '{rotor}' stands still, and no unbalance acts there"
+        yield path, f"rotor '{rotor}' does not turn, and no unbalance acts there"
 
 
 def span_faults(

@@ -54,7 +54,7 @@ def instability(systems: Iterable[FreeMotions], speed: Array) -> list[str]:
         f"unstable at {unstable.size} of {len(speed)} speeds, first at "
         f"{number(speed[unstable[0]] * RPM.factor, 0)} rpm: the machine "
         f"{how_it_grows(fastest[unstable[0]], made_for(systems[0]))}; steady responses there are "
-        "solutions of the linear equations that the machine does not reach by itself"
+        "solutions of the linear equations that an unstable machine does not reach"
     ]
 
 
@@ -69,7 +69,7 @@ def how_it_grows(pole: complex, highest: float) -> str:
     if hertz > highest:
         return (
             f"vibrates at about {float(f'{hertz:.2g}'):g} Hz, above the {highest:.4g} Hz that its "
-            "model is made for (campbell with a higher max_frequency tells how it grows)"
+            "model is made for (campbell with a higher max_frequency gives its growth)"
         )
     motion = f"vibrates at {hertz:.4g} Hz"
     if abs(pole.imag) <= STRAIGHT * pole.real:

@@ -48,8 +48,8 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
         yield from scene.conditions.heat_flow.guesses()
     if scene.conditions.history and not scene.spindle.rubs:
         yield (
-            "history: no sleeve has friction, so that nothing is left of what happened before; "
-            "give friction to a sleeve, or leave the history out"
+            "history: no sleeve has friction, so that the history has no effect; give friction to "
+            "a sleeve, or leave the history out"
         )
     if "preload" in scene.solved:
         yield from bearing_warnings(scene)
@@ -73,7 +73,7 @@ def _released_fits(scene: Scene) -> Iterator[str]:
         return
     for name, ring, on, *release in released_fits(scene.spindle, speed, scene.temperatures):
         yield (
-            f"bearing {name}: the fit of its {ring} ring lets go {_when(*release)}, from where on "
+            f"bearing {name}: the fit of its {ring} ring loosens {_when(*release)}, from where on "
             f"the ring grows without the {on}; raise its interference"
         )
 
@@ -95,10 +95,10 @@ def _statically_unstable(scene: Scene) -> Iterator[str]:
             support.name for support in scene.spindle.supports if support.has_negative_stiffness
         )
         yield (
-            f"the negative stiffness of support {names} is stronger than what holds the shaft at "
-            f"{speed.size} of {len(scene.usable)} speeds, first at "
-            f"{number(speed[0] * RPM.factor, 0)} rpm: it does not stay where statics have it; "
-            "lower it, or hold the shaft more stiffly"
+            f"the negative stiffness of support {names} exceeds the restoring stiffness of the "
+            f"shaft at {speed.size} of {len(scene.usable)} speeds, first at "
+            f"{number(speed[0] * RPM.factor, 0)} rpm, where the static equilibrium is unstable; "
+            "reduce it, or support the shaft more stiffly"
         )
 
 
@@ -128,7 +128,7 @@ def arc_notes(scene: Scene) -> Iterator[str]:
             yield (
                 f"balls of bearing {seat.name} have more than two contacts "
                 f"{_rows_when(state.speed, rows)}, not all of which roll: their orbit, defect "
-                "frequencies and heat are those of the resultants of each race, estimates there"
+                "frequencies and heat are estimates there, from the resultants of each race"
             )
 
 
@@ -168,7 +168,7 @@ def ring_notes(scene: Scene) -> Iterator[str]:
         parts.append(f"{seat.name} {' and '.join(texts)}")
         largest[seat.name] = np.nanmax(balls.inner_load[state.usable, column], axis=1, initial=0.0)
     yield (
-        f"rings deform, {_walls(scene.spindle, largest)}; raceways give at most [µm], inner and "
+        f"rings deform, {_walls(scene.spindle, largest)}; raceways deflect at most [µm], inner and "
         f"outer, bearing {', '.join(parts)}"
     )
 
@@ -186,7 +186,7 @@ def _walls(spindle: Spindle, largest: Mapping[str, Array]) -> str:
         difference = np.ptp(loads, axis=0) / np.where(peak > 0.0, peak, 1.0)
         spread = max(spread, float(difference.max(initial=0.0)))
     if not pairs:
-        return "every bearing with walls of its own"
+        return "every bearing with separate walls"
     return (
         f"those of {', '.join(pairs)} on common walls as if loaded alike (largest ball loads up to "
         f"{100.0 * spread:.0f} % apart)"
@@ -251,8 +251,8 @@ def _films_rule(scene: Scene) -> Iterator[str]:
             row = int(np.nanargmax(column))
             yield (
                 f"bearing {seat.name}: oil films change its axial load from {dry_load[row]:.0f} to "
-                f"{film_load[row]:.0f} N at {state.speed[row] * RPM.factor:.0f} rpm; they are "
-                "fully flooded ones, and starved ones do less"
+                f"{film_load[row]:.0f} N at {state.speed[row] * RPM.factor:.0f} rpm; this is for "
+                "fully flooded films, and starved films change it less"
             )
 
 
@@ -283,7 +283,7 @@ def _guides(scene: Scene) -> Iterator[str]:
         if deviation[row] > GUIDE_RULE:
             yield (
                 f"sleeve {sleeve.name}: its ball guide carries {force[row]:.0f} N across at "
-                f"{state.speed[row] * RPM.factor:.0f} rpm, where it gives by "
+                f"{state.speed[row] * RPM.factor:.0f} rpm, where it deflects by "
                 f"{shift[row] * 1e6:.3g} µm ({mean[row] / 1e6:.4g} N/µm) and has "
                 f"{slope[row] / 1e6:.4g} N/µm for vibration; the {law.stiffness / 1e6:.4g} N/µm at "
                 "its centre are taken: give one of these as radial_stiffness instead"
@@ -333,10 +333,10 @@ def _unloaded_balls(
         return
     balls, when = idle[rows[0]], _rows_when(speed, rows)
     if balls.all():
-        why = "it stands within its play" if seat.bearing.both_ways else "static loads unload it"
+        why = "it is within its clearance" if seat.bearing.both_ways else "static loads unload it"
         yield (
-            f"{name}: {why} {when}: it holds nothing there, and modes, stiffness and "
-            "responses are those of the shaft without it; raise its preload, or change the loads"
+            f"{name}: {why} {when}: it has no stiffness there, and modes, stiffness and responses "
+            "are those of the shaft without it; raise its preload, or change the loads"
         )
         return
     angle = 360.0 * np.flatnonzero(balls) / len(balls) * seat.thrust
@@ -344,7 +344,7 @@ def _unloaded_balls(
     yield (
         f"{name}: under the static loads {last} of its {len(balls)} balls carry nothing {when}, "
         f"such as that at {first}° from y towards z: raise its preload, or lower the loads "
-        "(bearing_loads says under which part of them)"
+        "(bearing_loads shows under which part of them)"
     )
 
 

@@ -97,7 +97,7 @@ def test_loads_and_speeds_out_of_reach() -> None:
     ):
         with pytest.raises(InvalidBearing, match=message):
             approximate(RING, force, speed)
-    with pytest.raises(InvalidBearing, match="presses every ball"):
+    with pytest.raises(InvalidBearing, match="compresses every ball"):
         approximate(replace(RING, clearance=-1e-3), LOAD, SPEED)
     with pytest.raises(InvalidBearing, match="no clearance"):
         approximate(replace(RING, clearance=1e-6), LOAD, SPEED, "original")

@@ -569,7 +569,7 @@ WRONG = {
     "width": ({"width": -1.0}, "width of a ring must be a length"),
     "ends": ({"ends": "loose"}, "ends must be one of free, clamped"),
     "length": ({"backing_length": 1e-2}, "backing_length must be at least the width"),
-    "seat": ({"backing_diameter": 70e-3}, "nothing is left between them"),
+    "seat": ({"backing_diameter": 70e-3}, "no material is left between them"),
     "material": ({"backing_material": "steel"}, "must be a bearings.Material"),
 }
 
@@ -600,7 +600,7 @@ def test_rings_that_do_not_fit_their_balls_are_refused(name: str) -> None:
 
 def test_a_thrust_bearing_has_no_seats() -> None:
     thrust = ThrustBallBearing(ball_diameter=8e-3, pitch_diameter=64e-3, balls=16)
-    with pytest.raises(InvalidBearing, match="sit on faces"):
+    with pytest.raises(InvalidBearing, match="rest on faces"):
         replace(thrust, rings=THIN)
 
 

@@ -384,7 +384,7 @@ def test_skf_model_ends() -> None:
     assert slow.total[0] == 0.0
     assert (slow.total[1:] > 0.0).all()
     assert (heat.skf_moment(speed=fast, hybrid=True, **common).total < slow.total[2]).all()
-    with pytest.raises(InvalidBearing, match="SKF's friction model ends at n·dm 8e"):
+    with pytest.raises(InvalidBearing, match="SKF's friction model is valid up to n·dm 8e"):
         heat.skf_moment(speed=1.01 * fast, **common)
 
 

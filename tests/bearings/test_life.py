@@ -185,7 +185,7 @@ def test_static_rating_is_the_load_that_dents() -> None:
     [
         (lambda: life.reference_life(VEX70.equilibrium(load=THRUST), -1.0), "dynamic_rating"),
         (lambda: life.life_of(VEX70.equilibrium(load=THRUST), rotating="cage"), "rotating"),
-        (lambda: life.reliability_factor(0.93), "a1 is tabled"),
+        (lambda: life.reliability_factor(0.93), "a1 is tabulated"),
         (lambda: life.temperature_factor(400.0), "300 °C"),
         (lambda: life.life_factor(1.0, 2.0, 1.0, 1.0), "contamination"),
         (lambda: life.mean_life([-1.0, 2.0], [1.0, 1.0]), "shares"),

@@ -40,7 +40,7 @@ SLIPS = ("the balls need more friction than the lubricant provides",)
 # of a chart at few speeds, not of the case
 FEWER = "too far apart for the lobes", "too far apart for the resonances"
 WARNED = {  # what the case is there to show
-    "preload_concepts": ("stand face to face (X)",),
+    "preload_concepts": ("are mounted face to face (X)",),
     "grinding_spindle_life": SLIPS,
     "grinding_spindle_warm": ("the fit of its inner ring lets go",),
     "mfw2310_lobes": ("period doubling limits", "too far apart for the resonances"),
@@ -68,7 +68,7 @@ WARNED = {  # what the case is there to show
     "grinding_spindle_knock": ("estimate from catalogue values",),
     "grinding_spindle_rings": (
         "bearing a: its ball 13, at 180°",
-        "has play in its housing by its fit",
+        "has clearance in its housing by its fit",
         "apart: rings of bearings a and b (5 mm of housing or sleeve), c and d",
     ),
     "grinding_spindle_touch": ("estimate from catalogue values",),

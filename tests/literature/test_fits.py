@@ -164,7 +164,7 @@ def test_every_class_holds_its_grade() -> None:
         ("k3", 0.07, "grade 4"),
         ("N3", 0.07, "N is from grade 4"),
         ("j7", 0.07, "j5 and j6"),
-        ("k5", 70.0, "tabled above 10 mm"),
+        ("k5", 70.0, "tabulated above 10 mm"),
         ("k5", math.nan, "diameter must be a number, got nan"),
     ],
 )

@@ -110,8 +110,8 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
     r"BearingSeat a: growth.static: leaves no contact angle": lambda: replace(
         FRONT, growth=RingGrowth(static=-1e-3)
     ),
-    r"BearingSeat a: growth.static: takes the whole contact angle: given 0.0005 m": lambda: replace(
-        FRONT, growth=RingGrowth(500e-6)
+    r"BearingSeat a: growth.static: reduces the contact angle to 0: given 0.0005 m": lambda: (
+        replace(FRONT, growth=RingGrowth(500e-6))
     ),
     r"growth.fit: the bore of bearing a leaves no ring beside the balls: given 60.00 mm": lambda: (
         replace(FRONT, growth=RingGrowth(0.0, "computed", InterferenceFit(0.06, 1e-6)))
@@ -126,16 +126,16 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
         LinearSupport("s", 0.0, {("y", "q"): 1.0})
     ),
     r"stiffness\[\('y', 'y'\)\]: not finite": lambda: LinearSupport("s", 0, {("y", "y"): INF}),
-    r"LinearSupport s: rigid: y is held rigidly and has entries": lambda: LinearSupport(
+    r"LinearSupport s: rigid: y is rigid and has entries": lambda: LinearSupport(
         "s", 0.0, {("y", "thz"): 1.0}, rigid=("y",)
     ),
     r"LinearSupport s: rigid\.2: repeated: given 'y'": lambda: LinearSupport(
         "s", 0.0, rigid=("y", "y")
     ),
-    "supports 'l' and 'r' both hold y there": lambda: spindle(
+    "supports 'l' and 'r' both constrain y there": lambda: spindle(
         supports=tuple(LinearSupport(n, 0.1, rigid=("y",)) for n in ("l", "r"))
     ),
-    "support 'l' holds x rigidly beside bearings": lambda: spindle(
+    "support 'l' is rigid in x beside bearings": lambda: spindle(
         supports=(LinearSupport("l", 0.1, rigid=("x",)),)
     ),
     r"analyses.section_forces: no load acts: allowed: at least one of loads": lambda: case(
@@ -148,7 +148,7 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
     r"section_forces.loads\.1.at: load off the shaft: given 0.301 m": lambda: case(
         analyses={"section_forces": SectionForcesSpec((PointLoad(0.301),))}
     ),
-    r"section_forces.loads: free body in a static case: nothing holds thx, .* 2 N m": lambda: case(
+    r"section_forces.loads: free body in a static case: thx unrestrained, .* 2 N m": lambda: case(
         analyses={"section_forces": SectionForcesSpec((PointLoad("tip", Mx=2.0),))}
     ),
     r"twist_limits\.2: repeated: given 'a to b'": lambda: SectionForcesSpec(
@@ -254,11 +254,11 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
         speeds=(5.0, 0.0)
     ),
     r"Case c: speeds: too few items": lambda: case(speeds=()),
-    "nothing is asked": lambda: case(analyses={}),
+    "no analysis is given": lambda: case(analyses={}),
     "unknown analysis: prelod; .*did you mean preload": lambda: case(
         analyses={"prelod": PreloadSpec()}
     ),
-    r"analyses.frf: takes a FrfSpec: given a PreloadSpec": lambda: case(
+    r"analyses.frf: needs a FrfSpec: given a PreloadSpec": lambda: case(
         analyses={"frf": PreloadSpec()}
     ),
     r"analyses.bearing: this analysis does not apply to a spindle": lambda: case(
@@ -293,7 +293,7 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
     r"analyses.preload: needs bearings": lambda: case(
         spindle=spindle(seats=(), sleeves=(), supports=(SUPPORT,))
     ),
-    r"spindle.supports: the shaft is not held: .* zz": lambda: case(
+    r"spindle.supports: the shaft is unrestrained: .* zz": lambda: case(
         spindle=spindle(
             seats=(), sleeves=(), supports=(replace(SUPPORT, stiffness={("y", "y"): 1.0}),)
         ),
@@ -312,7 +312,7 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
         analyses={"bearing": BearingMapSpec((100.0,))},
         conditions=Conditions(rotor="rigid"),
     ),
-    r"support 'left' pushes the shaft aside .*\(yx\)": lambda: case(
+    r"support 'left' pushes the shaft across the axis .*\(yx\)": lambda: case(
         spindle=spindle(supports=(LinearSupport("left", 0.0, {("x", "x"): 1e6, ("y", "x"): 1e6}),)),
         conditions=Conditions(axial_force=10.0),
     ),

@@ -184,7 +184,7 @@ def test_how_far_rings_give_is_said(tmp_path: Path) -> None:
         tmp_path, "  preload: {}\n", text=SPINDLE.replace("118 mm", "118 mm, neighbours: apart")
     )
     (note,) = (line for line in rotordyn.run(rotordyn.load(alone)).notes if "rings deform" in line)
-    assert "every bearing with walls of its own" in note
+    assert "every bearing with separate walls" in note
 
 
 SINGLE = """
@@ -256,7 +256,7 @@ def test_the_shipped_case_of_thin_walls_shows_what_they_take() -> None:
 
 def test_a_thin_wall_is_reported_where_rings_are_taken_as_rigid(tmp_path: Path) -> None:
     text = SPINDLE.replace("  flexible_rings: {housing_diameter: 118 mm}\n", "  FITS\n")
-    words = "are taken as rigid"
+    words = "are modelled as rigid"
     for housing, told in (("118 mm", True), ("160 mm", False)):
         fits = f"fits: {{shaft: k5, housing: JS5, housing_diameter: {housing}}}"
         case = rotordyn.load(written(tmp_path, "  preload: {}\n", text=text.replace("FITS", fits)))
@@ -304,4 +304,4 @@ def test_play_of_a_ring_that_deforms_with_its_housing_is_reported(
     text = SPINDLE.replace("  flexible_rings: {housing_diameter: 118 mm}\n", fits)
     text = text.replace("speeds:", "  flexible_rings: {}\nspeeds:")
     results = rotordyn.run(rotordyn.load(written(tmp_path, "  preload: {}\n", text=text)))
-    assert bool([w for w in results.warnings if "has play in its housing" in w]) == told
+    assert bool([w for w in results.warnings if "has clearance in its housing" in w]) == told

@@ -170,7 +170,7 @@ def test_a_guide_far_from_its_centre_is_reported(interference: float, said: bool
     slope = (sums[row] - sums[row - 1]) / (way[row, 0] - way[row - 1, 0])
     assert f"carries {force:.0f} N across at 0 rpm" in told[0]
     mean = sums[row] / way[row, 0]
-    assert f"gives by {way[row, 0] * 1e6:.3g} µm ({mean / 1e6:.3g}"[:-1] in told[0]
+    assert f"deflects by {way[row, 0] * 1e6:.3g} µm ({mean / 1e6:.3g}"[:-1] in told[0]
     assert f"and has {slope / 1e6:.3g}"[:-1] in told[0]
 
 

@@ -162,6 +162,6 @@ def test_the_largest_clearance_makes_45_degrees() -> None:
     most = 2.0 * STEEL.free_distance * (1.0 - math.cos(math.pi / 4.0))
     widest = DeepGrooveBallBearing(**common(STEEL), radial_clearance=most * (1.0 - 1e-9))
     assert widest.free_angle == pytest.approx(math.pi / 4.0, abs=1e-8)
-    beyond = f"makes a contact angle above 45°: .* allowed up to {most * 1e6:.4g} µm"
+    beyond = f"gives a contact angle above 45°: .* allowed up to {most * 1e6:.4g} µm"
     with pytest.raises(InvalidBearing, match=beyond):
         DeepGrooveBallBearing(**common(STEEL), radial_clearance=most * (1.0 + 1e-9))

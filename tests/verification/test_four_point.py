@@ -81,7 +81,7 @@ def test_balls_pressed_too_far_at_rest_are_reported_by_how_much() -> None:
             assert replace(even, **given).plays[2] == pytest.approx(-2.0 * pressed)
             continue
         most = 2e-3 * usual.ball_diameter
-        said = f"in by {pressed * 1e6:.4g} µm at rest, beyond {most * 1e6:.4g} µm"
+        said = f"by {pressed * 1e6:.4g} µm at rest, beyond {most * 1e6:.4g} µm"
         with pytest.raises(InvalidBearing, match=said):
             replace(even, **given)
 

@@ -332,7 +332,7 @@ def test_springs_in_series_at_rest() -> None:
         ((pedestal("p", ("fronn",), 0.0),), r"unknown support .* 'fronn'.*did you mean front"),
         (
             (pedestal("p", ("front",), 0.0), pedestal("q", ("front",), 0.0)),
-            "stands on two housings",
+            "is on two housings",
         ),
     ],
 )
@@ -434,7 +434,7 @@ MODAL: dict[str, object] = {
         ({"places": PLACES, "frequency": [1.0]}, "lacks damping_ratio"),
         ({"places": PLACES, "mass": MATRIX, "stiffness": np.eye(3)}, "given 3 × 3; allowed: 4 × 4"),
         ({"places": PLACES, "mass": 0 * MATRIX, "stiffness": STIFFNESS}, "not positive definite"),
-        ({"places": PLACES, "mass": MATRIX + np.inf, "stiffness": STIFFNESS}, "no finite real"),
+        ({"places": PLACES, "mass": MATRIX + np.inf, "stiffness": STIFFNESS}, "not a finite real"),
         ({"places": ["front.y"], "mass": [[1.0]], "stiffness": [[1.0]]}, "no place under 'rear'"),
         (
             {"places": ["front.y", "rera.y"], "mass": np.eye(2), "stiffness": np.eye(2)},

@@ -587,9 +587,11 @@ def test_estimated_errors_are_those_without_losses_nearly() -> None:
 
 def test_refused_by_a_description() -> None:
     skew = {("y", "y"): 1e6, ("z", "z"): 1e6, ("y", "z"): 2e5, ("z", "y"): -2e5}
-    with pytest.raises(InvalidInput, match="not symmetric: given yz 200000 and zy -200000"):
+    with pytest.raises(
+        InvalidInput, match="needs a symmetric stiffness: given yz 200000 and zy -200000"
+    ):
         LinearSupport("s", 0.0, skew, loss_factor=0.1)
-    with pytest.raises(InvalidInput, match="a motion that its stiffness drives"):
+    with pytest.raises(InvalidInput, match="needs a positive semidefinite stiffness"):
         LinearSupport("s", 0.0, {("y", "y"): -1.0}, loss_factor=0.1)
     with pytest.raises(InvalidInput, match="stiffness: missing key"):
         LinearSupport("s", 0.0, loss_factor=0.1)

@@ -304,7 +304,7 @@ def test_a_point_at_a_joint_is_in_series_with_it_and_said_to_be() -> None:
 @pytest.mark.parametrize(
     ("given", "words"),
     [
-        ({}, "gives way nowhere"),
+        ({}, "joint without flexibility"),
         ({"radial": 1e8, "tilt_damping": 1.0}, "tilt is rigid and has a damper"),
         ({"radial": 0.0}, "stiffness out of range: given 0 N/m"),
     ],
@@ -324,7 +324,7 @@ def test_joints_that_give_way_along_are_in_front_of_all_bearings() -> None:
         if taken:
             rotordyn.vary(whole, changes)
             continue
-        with pytest.raises(InvalidInput, match="joint j gives way along x between bearings"):
+        with pytest.raises(InvalidInput, match="joint j is flexible along x between bearings"):
             rotordyn.vary(whole, changes)
         rotordyn.vary(whole, changes | {"conditions.rotor": "rigid"})
         rotordyn.vary(whole, changes | {"spindle.joints": (Joint("j", x, radial=8e8),)})

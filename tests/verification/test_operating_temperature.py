@@ -424,15 +424,15 @@ def test_preload_over_temperature_difference() -> None:
 @pytest.mark.parametrize(
     ("words", "build"),
     [
-        ("temperatures without a place", Temperatures),
+        ("no temperature is given", Temperatures),
         ("needs one value for each of speeds", lambda: Temperatures(shaft=(20.0, 30.0))),
-        ("fits without a class", Fits),
+        ("no class is given", Fits),
         ("the fit k5 needs it", lambda: Fits(shaft="k5")),
         ("not a class of a shaft", lambda: Fits(shaft="K5", bore_diameter=0.07)),
         ("unknown tolerance class 'q5'", lambda: Fits(shaft="q5", bore_diameter=0.07)),
         ("leaves no housing", lambda: replace(FITS, housing_diameter=0.1)),
         (
-            "fits beside a given growth",
+            "fits contradict a given growth",
             lambda: replace(spindle().seats[0], growth=RingGrowth(static=1e-6)),
         ),
         (
@@ -459,7 +459,10 @@ def test_bad_input_against_the_machine() -> None:
         setting = Setting(machine, Conditions(temperatures=warm), (0.0, 9000 * RPM))
         assert any(words in sentence for _, sentence in setting_faults(setting)), words
     running = Temperatures(shaft=(20.0, 30.0), speeds=(3000 * RPM, 9000 * RPM))
-    for how, said in (("static", "does not reach 0 rpm, at which bearings stay"), ("dynamic", "")):
+    for how, said in (
+        ("static", "does not reach 0 rpm, at which bearings are solved"),
+        ("dynamic", ""),
+    ):
         conditions = Conditions(temperatures=running, bearings=how)
         words = [word for _, word in setting_faults(Setting(machine, conditions, (6000 * RPM,)))]
         assert any(said in word for word in words) == bool(said)

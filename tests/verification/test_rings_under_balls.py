@@ -78,7 +78,11 @@ def _bored(race: float, outside: float, around: float, depth: float, pressure: f
 
 
 def test_how_wide_the_ring_is_and_what_holds_it_must_be_known() -> None:
-    with pytest.raises(InvalidInput, match="width: missing key: how far balls expand"):
+    with pytest.raises(
+        InvalidInput, match="width: missing key: the expansion of the outer ring by the balls"
+    ):
         replace(FITS, under_balls=True)
-    with pytest.raises(InvalidInput, match="housing: missing key: how far balls expand"):
+    with pytest.raises(
+        InvalidInput, match="housing: missing key: the expansion of the outer ring by the balls"
+    ):
         replace(FITS, housing="", width=0.020, under_balls=True)

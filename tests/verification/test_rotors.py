@@ -168,7 +168,9 @@ def test_a_ring_on_a_spindle_with_bearings_is_a_mass_on_its_shaft() -> None:
 def test_no_other_rotor_ties_a_spindle_with_bearings_to_ground_along_its_axis() -> None:
     base = case("mfw2310")
     assert replace(base, spindle=ring_on(mfw2310()), analyses={"campbell": CampbellSpec()})
-    with pytest.raises(InvalidInput, match="'fit', 'foot' tie the shaft along the axis to ground"):
+    with pytest.raises(
+        InvalidInput, match="'fit', 'foot' connect the shaft along the axis to ground"
+    ):
         replace(base, spindle=ring_on(mfw2310(), foot=""), analyses={"campbell": CampbellSpec()})
 
 
@@ -190,7 +192,9 @@ def test_what_holds_another_rotor_rigidly_along_does_not_hold_the_shaft() -> Non
     tied = replace(along, name="tie", against="spindle")
     replace(ring, supports=(on_ring, tied))
     machine = replace(ring, supports=(along, replace(tied, x=0.205), on_ring))
-    with pytest.raises(InvalidInput, match="'own', 'tie' tie the shaft along the axis to ground"):
+    with pytest.raises(
+        InvalidInput, match="'own', 'tie' connect the shaft along the axis to ground"
+    ):
         replace(case("mfw2310"), spindle=machine, analyses={"campbell": CampbellSpec()})
 
 
@@ -577,7 +581,7 @@ def test_a_span_and_a_grade_of_the_outer_rotor(ratio: float) -> None:
 @pytest.mark.parametrize(
     ("changes", "said"),
     [
-        ({"supports": COAXIAL.supports[:1]}, "rotor 'outer' is not held"),
+        ({"supports": COAXIAL.supports[:1]}, "rotor 'outer' is unrestrained"),
         (
             {"supports": (replace(COAXIAL.supports[0], against="outr"), *COAXIAL.supports[1:])},
             r"supports.b1.against: unknown rotor: given 'outr'; allowed: ground, spindle, outer "
@@ -585,9 +589,9 @@ def test_a_span_and_a_grade_of_the_outer_rotor(ratio: float) -> None:
         ),
         (
             {"supports": (replace(COAXIAL.supports[0], against="spindle"), *COAXIAL.supports[1:])},
-            "not held against itself",
+            "needs two different ends",
         ),
-        ({"rotors": (replace(OUTER, name="ground"),)}, "cannot be called that: given"),
+        ({"rotors": (replace(OUTER, name="ground"),)}, "not allowed for a further rotor: given"),
         ({"rotors": (OUTER, OUTER)}, "rotors.outer.name: name given twice: 'outer'"),
         (
             {"supports": (*COAXIAL.supports, replace(COAXIAL.supports[1], name="outer"))},
@@ -604,7 +608,7 @@ def test_a_span_and_a_grade_of_the_outer_rotor(ratio: float) -> None:
         ),
         (
             {"housings": (RigidHousing("casing", ("b2", "b3"), 0.4, 5.0, {("y", "y"): 1e8}),)},
-            "support 'b3' stands between two rotors, not on ground$",
+            "support 'b3' connects two rotors and not a rotor to ground$",
         ),
         ({"rotors": (replace(OUTER, shaft=Shaft(0.16, OUTER.shaft.sections)),)}, "off the shaft"),
     ],

@@ -162,7 +162,7 @@ def test_an_end_of_a_table_is_held_on_request() -> None:
     """As a support of that constant value, with a warning; inside the table nothing changes."""
     held = replace(TABLED, beyond="hold")
     beyond = (0.0, 15000.0, 22000.0, 30000.0)
-    with pytest.raises(InvalidInput, match="not known at that speed: given 22000 rpm"):
+    with pytest.raises(InvalidInput, match="no values at that speed: given 22000 rpm"):
         TABLED.at(22000.0 * RPM)
     whole = scene(on(held, OTHER), beyond)
     for row, rpm in enumerate(beyond):
@@ -170,12 +170,12 @@ def test_an_end_of_a_table_is_held_on_request() -> None:
         ours, theirs = (np.sort_complex(all_poles(s, k)) for s, k in ((whole, row), (alone, 0)))
         assert ours == pytest.approx(theirs, rel=1e-7)
     (warning,) = (w for w in whole.warnings if "film" in w)
-    assert "as at 20000 rpm, at 22000 rpm to 30000 rpm" in warning
+    assert "values at 20000 rpm beyond its table, at 22000 rpm to 30000 rpm" in warning
     assert not any("film" in w for w in scene(on(held, OTHER), RPMS).warnings)
     later = replace(held, speeds=(1000.0 * RPM, 6000.0 * RPM, 20000.0 * RPM))
     (below,) = (w for w in scene(on(later, OTHER), (0.0, 9000.0)).warnings if "film" in w)
-    assert "as at 1000 rpm, at 0 rpm:" in below
-    with pytest.raises(InvalidInput, match="of a table over speed, and there is none"):
+    assert "values at 1000 rpm beyond its table, at 0 rpm:" in below
+    with pytest.raises(InvalidInput, match="hold needs a table over speed: none is given"):
         replace(OTHER, beyond="hold")
 
 
@@ -432,14 +432,16 @@ def test_no_critical_speed_where_a_search_ends_at_the_range() -> None:
 def test_a_case_holds_a_table_on_request(tmp_path: Path) -> None:
     text = (CASE % LISTS).replace("4000 rpm]", "7000 rpm]")
     (tmp_path / "refused.yaml").write_text(text)
-    with pytest.raises(InvalidInput, match="not known at that speed: given 7000 rpm"):
+    with pytest.raises(InvalidInput, match="no values at that speed: given 7000 rpm"):
         rotordyn.load(tmp_path / "refused.yaml")
     (tmp_path / "held.yaml").write_text(
         text.replace("left, x: 0 m,", "left, x: 0 m, beyond: hold,")
     )
     solution = solve(rotordyn.load(tmp_path / "held.yaml"))
-    assert any("'left' is held beyond its table as at 6000 rpm" in w for w in solution.warnings)
+    assert any(
+        "'left' keeps its values at 6000 rpm beyond its table" in w for w in solution.warnings
+    )
     none = CASE % "beyond: hold, stiffness: {yy: 1 N/um, zz: 1 N/um}"
     (tmp_path / "none.yaml").write_text(none)
-    with pytest.raises(InvalidInput, match="hold is of a table over speed"):
+    with pytest.raises(InvalidInput, match="hold needs a table over speed"):
         rotordyn.load(tmp_path / "none.yaml")

@@ -42,7 +42,7 @@ def test_what_is_usual_ends_where_values_are_allowed_and_says_so() -> None:
     assert math.degrees(high[flat]) == pytest.approx(27.0)  # of 25° + 3°
     assert _of(asked, ANGLE).nominal == pytest.approx(0.5)
     (said,) = asked.narrowed
-    assert said.startswith(f"{ANGLE} +3/-2 deg leaves what is allowed: taken from 56 to 60 deg")
+    assert said.startswith(f"{ANGLE} +3/-2 deg exceeds the allowed range: taken from 56 to 60 deg")
 
 
 def test_a_bound_that_is_not_allowed_itself_is_not_met() -> None:
@@ -57,7 +57,7 @@ def test_travel_of_a_stop_ends_at_zero() -> None:
     asked = asked_of(_case(sleeves__rear__stop_travel="4 um"))
     ends = [_of(asked, TRAVEL).at(share)[TRAVEL] for share in (0.0, 1.0)]
     assert ends == [0.0, pytest.approx(9e-6)]
-    assert asked.narrowed == (f"{TRAVEL} ± 5 um leaves what is allowed: taken from 0 to 9 um",)
+    assert asked.narrowed == (f"{TRAVEL} ± 5 um exceeds the allowed range: taken from 0 to 9 um",)
 
 
 def test_what_is_usual_and_cannot_be_at_all_is_named(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -161,7 +161,7 @@ def test_too_long(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("name", "said"),
     [
-        ("a\0b.yaml", "control characters, or bytes that are no text, in its name: rename it"),
+        ("a\0b.yaml", "control characters, or bytes that are not text, in its name: rename it"),
         ("\x1b[31m.yaml", "in its name: rename it"),
         ("\udcff.yaml", "in its name: rename it"),
         ("x" * 5000 + ".yaml", "cannot be read"),

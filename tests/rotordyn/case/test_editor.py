@@ -119,7 +119,7 @@ def test_every_key_has_its_meaning_and_no_default_in_bare_si() -> None:
         assert not re.search(r"[`\[\]]|\]\(", shape["description"]), key
     said = dict(properties(json_schema("spindle")))
     assert said["stop_travel"]["default"] == "none"
-    assert said["stop_travel"]["description"].startswith("way against the spring")
+    assert said["stop_travel"]["description"].startswith("travel against the spring")
     assert "from 0 um up to 100 mm, or none; units: m, mm, um" in said["stop_travel"]["description"]
     assert said["polar_inertia"]["default"] == "0 kg m^2"
 

@@ -92,7 +92,10 @@ def test_library_lists_estimates() -> None:
 
 
 FAULTS = [
-    (("190 N, 570 N", "190 N"), "estimate: no estimate: rigidities must be one for each of prel"),
+    (
+        ("190 N, 570 N", "190 N"),
+        "estimate: no estimate: rigidities must have one value for each of prel",
+    ),
     (("16.4 kN", "140 kN"), "catalogue values contradict one another.*static rating C0"),
     (("[143 N/um, 211 N/um]", "[71 N/um, 105 N/um]"), "that of one bearing: give that of the pair"),
     (("outside_diameter: 110 mm\n", ""), "outside_diameter: missing key: an estimate needs it"),

@@ -222,7 +222,7 @@ def test_a_part_of_the_tool_and_the_tool_itself_are_one(tmp_path: Path) -> None:
     assert bare.vary({"tool": before.tool}).spindle == before.spindle
     assert before.vary({"spindle": bare.spindle}).tool is None
     within = before.vary({"spindle.shaft.sections.flutes.length": "50 mm"})
-    with pytest.raises(rotordyn.InvalidInput, match="changed as a part of the spindle"):
+    with pytest.raises(rotordyn.InvalidInput, match="changed as part of the spindle"):
         within.vary({"tool": None})
 
 
@@ -258,7 +258,7 @@ def test_where_each_bearing_has_its_own_the_way_there_is_named() -> None:
         ("damping.bearings.radial", "bearings.*.damping.radial"),
         ("growth.static", "bearings.*.growth.static"),
     ):
-        with pytest.raises(InvalidInput, match="has its own here; change") as refused:
+        with pytest.raises(InvalidInput, match="has its own value here; change") as refused:
             rotordyn.vary(each, {common: 2e-6})
         assert str(refused.value).endswith(f"change {own}")
         assert rotordyn.vary(each, {own: 2e-6}) != each
@@ -322,7 +322,7 @@ WRONG = {
     "spindle.shaft.material": (STEEL, r"change spindle\.shaft\.sections\.\*\.material"),
     "spindle.shaft.sections.nose.material.density": ("8 g", "'g' is not a unit of density"),
     "spindle.fits.shft": ("k5", "unknown key 'shft' in 'spindle.fits'; .*did you mean shaft"),
-    "spindle.fits.shaft": ("k5", "fits beside a given growth"),
+    "spindle.fits.shaft": ("k5", "fits contradict a given growth"),
     "conditions.temperatures.shft": (40.0, "did you mean shaft"),
     "conditions.films.temperature": (40.0, "also needs viscosity_40, viscosity_100"),
     "bearing.balls": (3, "'bearing' is None; give it whole"),

@@ -81,11 +81,11 @@ def test_it_falls_with_the_load() -> None:
 
 def test_loads_beyond_the_tangents_are_reported() -> None:
     assert not static_warnings(under(100.0))
-    assert not [each for each in orbit_warnings(whirling(2e-6)) if "moved so far" in each]
+    assert not [each for each in orbit_warnings(whirling(2e-6)) if "displaced so far" in each]
     (said,) = static_warnings(under(8000.0))
-    assert said.startswith("section_forces: bearings are moved so far")
+    assert said.startswith("section_forces: bearings are displaced so far")
     assert "a by " in said
-    (said,) = [each for each in orbit_warnings(whirling(2e-3)) if "moved so far" in each]
+    (said,) = [each for each in orbit_warnings(whirling(2e-3)) if "displaced so far" in each]
     assert "rpm: a by" in said
 
 
@@ -140,7 +140,7 @@ def test_a_resonance_between_the_speeds_of_the_case_is_reported() -> None:
     assert found.fine_departure[there, :seats] == pytest.approx(peak.departure[:, :seats], rel=1e-3)
     assert found.run_departure[0, :seats] == pytest.approx(peak.departure[0, :seats], rel=0.03)
     assert np.nanmax(peak.departure) > 2.0 * REPORTED
-    steady, run = (each for each in orbit_warnings(found) if "moved so far" in each)
+    steady, run = (each for each in orbit_warnings(found) if "displaced so far" in each)
     worst = 100.0 * np.nanmax(found.fine_departure, axis=0)
     assert f"e by {worst[seats - 1]:.0f} %" in steady
     at = np.sort(found.run_force_peak_speed[0, :seats])[[0, -1]] / RPM

@@ -208,7 +208,7 @@ def test_a_state_that_only_one_of_both_models_has_is_named(monkeypatch: pytest.M
         property(lambda each: ("", "the shaft buckles", "") if each.finer else exact.func(each)),
     )
     with pytest.raises(
-        NoSolution, match=r"at 12000 rpm hangs on how fine its model is \(the shaft"
+        NoSolution, match=r"at 12000 rpm depends on the refinement of its model \(the shaft"
     ):
         campbell_answer(found, CampbellSpec(3000.0))
 

@@ -127,7 +127,7 @@ def test_a_bearing_within_its_play_is_reported() -> None:
     load = np.array([[5.0, 0.0, 2.0], [0.0, 0.0, 0.0]])
     speed, usable = np.array([0.0, 300.0]), np.array([True, True])
     (said,) = _unloaded_balls("rear", speed, usable, load, deep)
-    assert "it stands within its play at 2865 rpm" in said
+    assert "it is within its clearance at 2865 rpm" in said
     assert not [*_unloaded_balls("rear", speed[:1], usable[:1], load[:1], deep)]
     three, usable = np.array([0.0, 100.0, 300.0]), np.full(3, fill_value=True)
     for first_ball, when in (
