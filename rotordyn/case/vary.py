@@ -307,7 +307,7 @@ def _field(fields: Sequence[Field], change: _Change, kind: type) -> tuple[Field,
     named = [way[0] for way, field in ways.items() if field.keys]
     named += [field.name for field in fields if not field.keys and field.name in NO_KEYS]
     _known(change, change.steps[0], named, "key", inner)
-    raise change.refused("leads nowhere")
+    raise change.refused("does not exist here")
 
 
 def _items(annotation: Any, old: tuple[Any, ...], changes: Sequence[_Change]) -> tuple[Any, ...]:

@@ -50,7 +50,7 @@ def rules_figure(held: Interval) -> Figure:
     """Draw tornado diagrams: change of the numbers that vary most, by source, largest on top."""
     chosen = _chosen(held, held.varying())
     if not chosen:
-        return new_figure(168.0, 30.0, "nothing that is uncertain changes a number")
+        return new_figure(168.0, 30.0, "no uncertain value changes a number")
     rows = math.ceil(len(chosen) / 2)
     bars = min(BARS, len(held.source)) + 1
     figure = new_figure(168.0, rows * (BAR * bars + ROOM))

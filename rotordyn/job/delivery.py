@@ -110,7 +110,7 @@ def write(
 def _undrawn(solution: Solution, figures: bool) -> Omitted:
     """Omission of all figures, if none are requested or the run was ended."""
     if not figures:
-        return Omitted({"figures": "none are asked for"})
+        return Omitted({"figures": "none are requested"})
     if solution.stop is not None:
         return Omitted({"figures": "the run was ended"}, (ENDED,))
     return Omitted()
@@ -228,7 +228,7 @@ def _write_record(
     case, solution = results.case, results.solution
     machine = "spindle" if case.bearing is None else "bearing"
     others = [n for n in names() if analysis(n).machine == machine and n not in case.analyses]
-    unasked = dict.fromkeys(others, "the case does not ask for it")
+    unasked = dict.fromkeys(others, "the case does not include it")
     record = RunRecord(
         case=case.name,
         title=case.title,

@@ -101,7 +101,7 @@ class Results(Mapping[str, "xr.Dataset"]):
             instead = (
                 "each variant has its own in intervals" if intervals else "run the case with it"
             )
-            raise InvalidInput(f"no interval of the whole: {instead}")
+            raise InvalidInput(f"no interval of the whole case: {instead}")
         return intervals[""]
 
     @property

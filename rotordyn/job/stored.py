@@ -56,7 +56,7 @@ class StoredResults(Results):
             self._case_text = (folder / CASE).read_text(encoding="utf-8")
         except (OSError, ValueError) as error:
             raise InvalidInput(
-                f"{folder} is not complete beside its {RECORD} ({error}): run the case again"
+                f"{folder} is incomplete although it has its {RECORD} ({error}): run the case again"
             ) from None
 
     @cached_property

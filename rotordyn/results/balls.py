@@ -128,6 +128,6 @@ def friction_warning(what: str, speed: NDArray[np.float64], grip: NDArray[np.flo
         return ""
     return (
         f"{what}: its balls roll without gyroscopic slip only if friction is above "
-        f"{np.nanmax(grip):.2g}, more than the {GRIP:g} of oiled contacts "
-        f"{which_of(speed, high)}; raise its preload, or set friction to see it slip"
+        f"{np.nanmax(grip):.2g}, more than the {GRIP:g} of oiled contacts {which_of(speed, high)}; "
+        "raise its preload, or set friction to compute the slip"
     )

@@ -42,7 +42,7 @@ class Interval:
     path: tuple[str, ...] = coordinate("path", unit="", label="number of the case")
     curve: tuple[str, ...] = coordinate("curve", unit="", label="curve")
     unit: tuple[str, ...] = quantity("number", unit="", label="unit")
-    absent: tuple[str, ...] = quantity("number", unit="", label="said where there is none")
+    absent: tuple[str, ...] = quantity("number", unit="", label="reason where there is none")
     nominal: Array = quantity("number", unit="", label="nominal")
     by_combination: Array = quantity("number", "combination", unit="", label="value")
     hypotheses: Array = quantity("number", "end", unit="", label="over hypotheses")
@@ -65,7 +65,7 @@ class Interval:
     curve_hypotheses: Array = quantity("point", "end", unit="", label="over hypotheses")
     curve_tolerances: Array = quantity("point", "end", unit="", label="95 % of tolerances")
     runs: int = quantity(unit="", label="machines solved")
-    narrowed: str = quantity(unit="", label="what is usual and leaves what is allowed")
+    narrowed: str = quantity(unit="", label="usual tolerances beyond the allowed range")
     lost: str = quantity(unit="", label="why some of them have no solution")
 
     def spread(self) -> Array:

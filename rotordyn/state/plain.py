@@ -121,7 +121,7 @@ def _law(entry: Plain, at: str) -> AxialLaw:
     angle = math.radians(_number(entry.get("alpha_deg"), f"{at}, alpha_deg", least=0.0, most=89.0))
     growth = _number(entry.get("growth", 0.0), f"{at}, growth")
     if abs(math.cos(angle) + growth / distance) >= 1.0:
-        _refuse(f"{at}, growth", f"{growth:g} m takes the whole contact angle; allowed: less")
+        _refuse(f"{at}, growth", f"{growth:g} m reduces the contact angle to 0; allowed: less")
     balls = _count(entry.get("z"), f"{at}, z")
     return RestBall(
         balls, _number(entry.get("kn"), f"{at}, kn", above=0.0), distance, angle, growth
@@ -144,7 +144,7 @@ def _table(entry: Plain, at: str) -> AxialLaw:
         _refuse(
             f"{at}, F",
             f"falls beyond {places[fall]:.4g} m; allowed: loads that do not fall, between points "
-            "either (a cubic overshoots beside sudden changes: give more points, or linear)",
+            "either (a cubic overshoots near sudden changes: give more points, or linear)",
         )
     return law
 

@@ -62,10 +62,10 @@ def _check_restraint(parts: Network) -> None:
     rubbing = _reached(np.concatenate([restraints, parts.frictions.row]), len(parts.bodies))
     for name, is_restrained, rubs in zip(parts.bodies, restrained, rubbing, strict=True):
         if not is_restrained:
-            what = "held by friction alone" if rubs else "held by nothing"
+            what = "restrained by friction alone" if rubs else "unrestrained"
             raise InvalidInput(
                 f"body {name}: {what}: join it to the ground by bearings or springs, or to a body "
-                "that they hold"
+                "that they restrain"
             )
 
 

@@ -98,7 +98,7 @@ def test_the_plan_names_stages_what_was_spared_and_what_did_not_run(
     assert "bearings a, b are alike and share their load: one of them is solved" in text
     assert "one of 25 is solved" in text
     assert "half the unknowns" in text
-    assert "figures: none are asked for" in text
+    assert "figures: none are requested" in text
 
 
 def test_a_stage_run_at_other_speeds_alone_is_not_called_skipped() -> None:
@@ -124,5 +124,5 @@ def test_no_figures_leaves_numbers_alone(tmp_path: Path) -> None:
     assert not [name for name in names if name.endswith((".png", ".svg", ".pdf"))]
     record = json.loads((out / "run.json").read_text(encoding="utf-8"))
     assert record["figures"] == {}
-    assert record["skipped"]["figures"] == "none are asked for"
+    assert record["skipped"]["figures"] == "none are requested"
     assert "draw" not in record["stages"]

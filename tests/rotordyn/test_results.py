@@ -263,7 +263,9 @@ def test_a_folder_that_changes_is_noticed(folder: Path, tmp_path: Path) -> None:
     with pytest.raises(InvalidInput, match="has been replaced since it was opened: open it again"):
         stored["frf"]
     (copied / "results.nc").unlink()
-    with pytest.raises(InvalidInput, match=r"not complete beside its run\.json .*: run the case"):
+    with pytest.raises(
+        InvalidInput, match=r"incomplete although it has its run\.json .*: run the case"
+    ):
         rotordyn.open(copied)
     record["rotordyn_results"] = FORMAT + 1
     (copied / "run.json").write_text(json.dumps(record), encoding="utf-8")

@@ -479,4 +479,4 @@ def test_bad_input_against_the_machine() -> None:
     shallow = replace(bearing(), contact_angle=math.radians(10.0))
     seats = tuple(replace(s, bearing=shallow, fits=wide) for s in machine.seats)
     setting = Setting(replace(machine, seats=seats), Conditions(), (0.0,))
-    assert any("whole contact angle" in sentence for _, sentence in last_setting_faults(setting))
+    assert any("contact angle to 0" in sentence for _, sentence in last_setting_faults(setting))

@@ -131,7 +131,7 @@ def test_a_bearing_within_its_play_is_reported() -> None:
     assert not [*_unloaded_balls("rear", speed[:1], usable[:1], load[:1], deep)]
     three, usable = np.array([0.0, 100.0, 300.0]), np.full(3, fill_value=True)
     for first_ball, when in (
-        ([0.0, 0.0, 0.0], "its play from 0 rpm on:"),
+        ([0.0, 0.0, 0.0], "its clearance from 0 rpm on:"),
         ([5.0, 0.0, 0.0], "its play from 955 rpm on:"),
         ([0.0, 5.0, 0.0], "its play at 2 of 3 speeds, first at 0 rpm:"),
     ):

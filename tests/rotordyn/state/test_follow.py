@@ -305,13 +305,13 @@ def spoilt(**more: Any) -> Plain:
 
 
 BAD = [
-    ({"bodies": ["shaft", "sleeve", "housing"]}, "body housing: held by nothing"),
+    ({"bodies": ["shaft", "sleeve", "housing"]}, "body housing: unrestrained"),
     (
         {
             "bodies": ["shaft", "sleeve", "b"],
             "frictions": [{"body": "b", "other": "shaft", "limit": 9}],
         },
-        "body b: held by friction alone",
+        "body b: restrained by friction alone",
     ),
     ({"stops": [{"body": "sleeve", "low": 1e-6}]}, "stop 0, low: violated at rest"),
     ({"stops": [{"body": "sleeve", "high": -1e-6}]}, "stop 0, high: violated at rest"),
