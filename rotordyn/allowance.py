@@ -31,8 +31,8 @@ STEP, STEP_BYTES = 2e-3, 3e2  # of a history: 0.5e-3 s where sleeves stick, 14e-
 # each bearing; what is kept of each number that is followed.
 EXPONENTIAL, PASS, ENTRY, BEARING_STEP, FOLLOWED_BYTES = 8e-9, 2e-4, 1e-9, 2e-4, 2e2
 FIGURE, PICTURE = 0.3, 0.1  # s of a figure in two formats, of a picture in space
-REMEDY = "take fewer speeds, steps or points, or lower frequencies, or say yes to that (--yes)"
-DRAWN = "draw some of them (rotordyn.open, plot), or say yes to all (--yes)"
+REMEDY = "take fewer speeds, steps or points, or lower frequencies, or allow it with --yes"
+DRAWN = "draw some of them (rotordyn.open, plot), or allow all with --yes"
 
 
 @dataclass(frozen=True, slots=True)

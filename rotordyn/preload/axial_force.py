@@ -83,7 +83,7 @@ def axial_force(
 
     Raises
     ------
-    InvalidInput : nothing holds the shaft along its axis against ``force`` and weight
+    InvalidInput : the shaft is unrestrained along its axis against ``force`` and weight
     """
     states, bar, shaft = len(seat_load), spindle.drawbar, spindle.shaft
     thrust = np.array([float(seat.thrust) for seat in spindle.seats])
@@ -105,7 +105,7 @@ def axial_force(
     size, share = max(np.abs(push).max(initial=0.0), abs(weight)), _shares(spindle)
     if not spindle.seats and not share.any() and (np.abs(remainder) > BALANCED * size).any():
         raise InvalidInput(
-            "nothing holds the shaft along its axis against the axial force and its weight: give "
+            "the shaft is unrestrained along its axis against the axial force and its weight: give "
             "a support the stiffness xx or hold x rigidly, or take tension, which pulls both ends"
         )
     forces = AxialForce(

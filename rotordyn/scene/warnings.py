@@ -73,7 +73,7 @@ def _released_fits(scene: Scene) -> Iterator[str]:
         return
     for name, ring, on, *release in released_fits(scene.spindle, speed, scene.temperatures):
         yield (
-            f"bearing {name}: the fit of its {ring} ring lets go {_when(*release)}, from where on "
+            f"bearing {name}: the fit of its {ring} ring loosens {_when(*release)}, from where on "
             f"the ring grows without the {on}; raise its interference"
         )
 

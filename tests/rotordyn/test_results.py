@@ -201,7 +201,7 @@ def test_shapes_in_space_are_figures_too(monkeypatch: pytest.MonkeyPatch) -> Non
     rotor = replace(rotordyn.load("lalanne_ferraris"), speeds=(0.0,), analyses={"campbell": spec})
     results = rotordyn.run(rotor)
     assert "shapes_3d_0rpm" in results.figures
-    with pytest.raises(InvalidInput, match=r"shapes_3d_0rpm cannot be drawn: .* nothing in 3D"):
+    with pytest.raises(InvalidInput, match=r"shapes_3d_0rpm cannot be drawn: .* render in 3D"):
         results.plot("shapes_3d_0rpm")
 
 

@@ -300,7 +300,7 @@ def test_a_speed_without_balance_says_so_however_short_the_time() -> None:
     told = [line for line in warnings(fallen) if "times that of the warm spindle" in line]
     assert not [line for line in told if "20000 rpm" in line]
     assert without_balance().unbalanced[0]
-    (told_once,) = (w for w in warnings(without_balance()) if "lets go" not in w)
+    (told_once,) = (w for w in warnings(without_balance()) if "loosens" not in w)
     assert "at 20000 rpm temperatures run away" in told_once
 
 
@@ -647,13 +647,13 @@ def test_fits_lose_what_the_ring_grows_beyond_the_shaft() -> None:
 
 def test_a_fit_that_lets_go_on_the_way_is_named_with_its_times() -> None:
     here, result = loosening()
-    assert not [words for words in here.warnings if "lets go" in words], "in balance it holds"
-    (sentence,) = [words for words in warnings(result) if "lets go" in words]
+    assert not [words for words in here.warnings if "loosens" in words], "in balance it holds"
+    (sentence,) = [words for words in warnings(result) if "loosens" in words]
     loose = result.time[(result.inner_fit_pressure[0] == 0.0).any(axis=1)]
     assert f"{in_words(loose[0])} to {in_words(loose[-1])} after the start at 9000 rpm" in sentence
     assert loose[0] > 0.0
     assert loose[-1] < result.time[-1]
-    assert not [words for words in warnings(warmed()[1]) if "lets go" in words]
+    assert not [words for words in warnings(warmed()[1]) if "loosens" in words]
     always = np.minimum(result.inner_fit_pressure, 1.0) * 0.0
     (sentence,) = [w for w in warnings(replace(result, inner_fit_pressure=always)) if "lets" in w]
     assert (

@@ -225,7 +225,7 @@ class StabilityLobesSpec(Spec):
         if self.turning is not None:
             for key in OF_MILLING:
                 if getattr(self, key):
-                    yield (key,), "of milling: given beside turning; leave one of both out"
+                    yield (key,), "of milling: given beside turning; leave one of the two out"
             return
         yield from self._milling_faults()
 
@@ -254,7 +254,7 @@ class StabilityLobesSpec(Spec):
             yield (key,), "missing key: tangential and radial must be given, or workpiece"
         if self.workpiece is not None and any(given):
             beside = " and ".join(compress(("tangential", "radial"), given))
-            yield ("workpiece",), f"given beside {beside}: leave one of both out"
+            yield ("workpiece",), f"given beside {beside}: leave one of the two out"
         if self.milling == "slot" and self.immersion != 1.0:
             yield (
                 ("immersion",),

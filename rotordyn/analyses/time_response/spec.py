@@ -64,7 +64,7 @@ class ForceOverTime(Description):
             given = "neither" if self.force is None else "both"
             yield (
                 ("force",),
-                f"a force, or a table of times and forces: given {given}; allowed: one of both",
+                f"a force, or a table of times and forces: given {given}; allowed: one of the two",
             )
         if self.end <= self.start:
             yield ("end",), "not after the start: given {given}; allowed: a later time"
@@ -90,7 +90,7 @@ class ForceOverTime(Description):
         given = {key: getattr(self, key) is not None for key in ("frequency", "pulse", "period")}
         given |= {"start": self.start > 0.0, "end": self.end < math.inf}
         for key in (key for key, there in given.items() if there and self.times):
-            yield (key,), "given beside a table of times and forces: leave one of both out"
+            yield (key,), "given beside a table of times and forces: leave one of the two out"
         if len(self.times) != len(self.forces):
             counts = f"given {len(self.times)} and {len(self.forces)}"
             yield ("forces",), f"times and forces differ in number: {counts}"

@@ -190,7 +190,7 @@ def _loose_rings(result: WarmUpResult) -> Iterator[str]:
         span = begin if begin == end else f"{begin} to {end}"
         when = f"from {begin} after the start on" if on else f"{span} after the start"
         yield (
-            f"bearing {result.bearing[k]}: the fit of its {ring} ring lets go during "
+            f"bearing {result.bearing[k]}: the fit of its {ring} ring loosens during "
             f"warm-up, {when} at {_rpm(result, row)}{also}; there the ring expands without the "
             f"{part}: raise its interference, or warm it up at lower speeds"
         )

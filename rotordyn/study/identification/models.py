@@ -60,7 +60,7 @@ def models(
         if not found_at(case, path):
             vary(case, {path: values[0]})  # raises with the part of the path that does not exist
         if any(path in (each.path, *each.also) for each in unknowns):
-            raise InvalidInput(f"{path}: is an unknown and a hypothesis: one of both")
+            raise InvalidInput(f"{path}: is an unknown and a hypothesis: leave one of the two out")
     all_phases = phases or {"": Phase()}
     combined = [dict(zip(hypotheses, each, strict=True)) for each in product(*hypotheses.values())]
     if len(all_phases) * len(combined) > MOST:
@@ -86,7 +86,9 @@ def _model(
     wanted = unknowns if phase.unknowns is None else tuple(known[word] for word in phase.unknowns)
     held = {each.path for each in wanted} & {*phase.values}
     if held:
-        raise InvalidInput(f"phase {name}: {min(held)} is both an unknown and fixed: one of both")
+        raise InvalidInput(
+            f"phase {name}: {min(held)} is both an unknown and fixed: leave one of the two out"
+        )
     words = [_said(case, path, value) for path, value in chosen.items()]
     label = ", ".join(part for part in (name, *words) if part) or "the case"
     holds = {**phase.values, **chosen}

@@ -189,7 +189,7 @@ def _number(case: Case, path: str, value: object) -> float:
     places = found_at(case, path)
     if not places:
         vary(case, {path: value})  # raises with the part of the path that does not exist
-        raise InvalidInput(f"{path}: leads nowhere")
+        raise InvalidInput(f"{path}: does not exist")
     try:
         accepted = accept(places[0][1], value)
     except Refused as refusal:

@@ -416,7 +416,7 @@ def test_a_radial_load_on_a_thrust_bearing_is_refused_where_it_is(tmp_path: Any)
         ),
         (
             "spectrum: [{share: 100 %, speed: 60000 rpm}]",
-            r"spectrum.1.speed: beyond the speeds of the case, .* allowed: up to 100 rpm",
+            r"spectrum.1.speed: above the speeds of the case, .* allowed: up to 100 rpm",
         ),
         (
             "spectrum: [{share: 100 %, speed: 100 rpm, loads: [{at: tip, Fy: 1 N}]}]",

@@ -88,7 +88,7 @@ def test_supports_share_by_stiffness() -> None:
 
 
 def test_something_must_hold_the_shaft() -> None:
-    with pytest.raises(InvalidInput, match="nothing holds the shaft along its axis"):
+    with pytest.raises(InvalidInput, match="the shaft is unrestrained along its axis"):
         axial_force(uniform(1.0, 0.05), np.zeros((1, 0)), force=1.0)
     axial_force(uniform(1.0, 0.05), np.zeros((1, 0)))
 

@@ -132,8 +132,8 @@ def test_a_bearing_within_its_play_is_reported() -> None:
     three, usable = np.array([0.0, 100.0, 300.0]), np.full(3, fill_value=True)
     for first_ball, when in (
         ([0.0, 0.0, 0.0], "its clearance from 0 rpm on:"),
-        ([5.0, 0.0, 0.0], "its play from 955 rpm on:"),
-        ([0.0, 5.0, 0.0], "its play at 2 of 3 speeds, first at 0 rpm:"),
+        ([5.0, 0.0, 0.0], "its clearance from 955 rpm on:"),
+        ([0.0, 5.0, 0.0], "its clearance at 2 of 3 speeds, first at 0 rpm:"),
     ):
         (said,) = _unloaded_balls("rear", three, usable, np.outer(first_ball, np.ones(3)), deep)
         assert when in said
