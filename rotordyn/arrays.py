@@ -1,4 +1,4 @@
-"""Names of array types."""
+"""Names of types of arrays, and of several words."""
 
 from __future__ import annotations
 
@@ -12,3 +12,4 @@ Complex = NDArray[np.complex128]
 Matrix = NDArray[np.inexact[Any]]  # real or complex
 Flags = NDArray[np.bool_]
 Indices = NDArray[np.intp]
+Words = tuple[str, ...]

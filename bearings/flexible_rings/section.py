@@ -12,9 +12,8 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bearings.arrays import Array, Index
+from bearings.arrays import Array, Flags, Index
 from bearings.flexible_rings.describe import TOUCHING, ElasticRing
 from bearings.flexible_rings.outline import outline
 from bearings.grooves import Grooves
@@ -40,8 +39,8 @@ class Section:
     """
 
     corners: Array
-    quads: NDArray[np.intp]
-    backing: NDArray[np.bool_]
+    quads: Index
+    backing: Flags
     rings: tuple[float, ...]
     arcs: tuple[tuple[Arc, ...], ...]
     radius: float
@@ -109,7 +108,7 @@ def section(grooves: Grooves, ring: ElasticRing, *, inner: bool) -> Section:
 
 def _backing(
     ring: ElasticRing, outward: float, seats: list[Index], corners: Array
-) -> tuple[NDArray[np.intp], Array]:
+) -> tuple[Index, Array]:
     """Grid of all corners of the backing, its first row with the ``seats`` of the rings from left
     to right, and the places of the new corners, whose numbers continue those of ``corners``."""
     first = ring.width / FIRST
@@ -150,12 +149,12 @@ def _graded(length: float, first: float) -> Array:
     return np.asarray(length * ends / ends[-1])
 
 
-def _quads(number: NDArray[np.intp]) -> NDArray[np.intp]:
+def _quads(number: Index) -> Index:
     sides = (number[:-1, :-1], number[:-1, 1:], number[1:, 1:], number[1:, :-1])
     return np.stack([side.ravel() for side in sides], axis=1)
 
 
-def _right_handed(corners: Array, quads: NDArray[np.intp]) -> NDArray[np.intp]:
+def _right_handed(corners: Array, quads: Index) -> Index:
     """Order the corners of quadrilaterals (q, 4) counter-clockwise."""
     (x, y) = corners[quads].transpose(2, 0, 1)
     area = (x[:, 2] - x[:, 0]) * (y[:, 3] - y[:, 1]) - (x[:, 3] - x[:, 1]) * (y[:, 2] - y[:, 0])

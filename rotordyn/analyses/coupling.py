@@ -15,14 +15,11 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bearings.arguments import finite, typed
+from rotordyn.arrays import Array, Complex, Indices
 from rotordyn.errors import InvalidInput
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Indices = NDArray[np.intp]
 LOST = 1e-11  # of a receptance: a smaller difference is rounding
 UNRESPONSIVE = (
     "the tip of the blank does not respond to the base, whose receptance is then unknown: take "

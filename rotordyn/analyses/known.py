@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 
 from rotordyn.analyses.registry import analysis
+from rotordyn.arrays import Array
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
-from rotordyn.results.kinds import Array
 from rotordyn.results.known import Match
 
 

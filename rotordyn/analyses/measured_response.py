@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated
 
+from rotordyn.arrays import Complex
 from rotordyn.description import Description, Faults, ascending
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.matrix import DOFS, Dof
@@ -24,8 +25,7 @@ from rotordyn.results.display import response_unit
 from rotordyn.units import shown
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
+    pass
 
 QUANTITIES = ("receptance", "mobility", "inertance")
 NO_RESPONSE = "no response: given zero at every frequency; allowed: at least one other value"
@@ -120,7 +120,7 @@ def out_of_range(frequency: Sequence[float], values: Iterable[complex], unit: st
     return ""
 
 
-def as_quantity(one: MeasuredResponse, quantity: str) -> NDArray[np.complex128]:
+def as_quantity(one: MeasuredResponse, quantity: str) -> Complex:
     """A measured response as another quantity, by the powers of iω between them."""
     import numpy as np
 

@@ -9,16 +9,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Complex
 from rotordyn.errors import InvalidInput
 from rotordyn.numerics.pole_count import EXACT, counted, of_count
 from rotordyn.numerics.pole_refinement import Refined, carried
 from rotordyn.numerics.sample_noise import sample_noise
 from rotordyn.numerics.vector_fit import Fit
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 MOST = 24  # modes tried where their number is not given
 LEAST = 1e-3  # of the largest value of an entry: smaller values weigh the same at first
 ROUNDS = 3  # fits with weights by the noise of the one before, at most

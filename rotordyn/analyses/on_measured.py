@@ -13,7 +13,6 @@ from collections.abc import Sequence
 from functools import cached_property, lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.coupling import (
     Ends,
@@ -28,14 +27,13 @@ from rotordyn.analyses.coupling import (
 from rotordyn.analyses.measured_response import QUANTITIES, MeasuredResponse, as_quantity
 from rotordyn.analyses.measured_spindle import NOSE, MeasuredSpindle
 from rotordyn.analyses.modal_fit import ModalFit, modal_fit
+from rotordyn.arrays import Array, Complex
 from rotordyn.errors import InvalidInput
 from rotordyn.machine import shaft
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.station import SLACK
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 CONE_PIECES = 24  # cylinders in place of a cone
 STEP = 1e-6  # of a response: of finite differences
 FEW = 0.5  # of a misfit: more modes that leave less than this are needed

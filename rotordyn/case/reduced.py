@@ -15,8 +15,8 @@ from typing import Any
 from zipfile import BadZipFile, ZipFile
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.case.document import read_bytes
 from rotordyn.case.keys import ModelFiles
 from rotordyn.case.node import Node
@@ -24,7 +24,6 @@ from rotordyn.case.reading import Reading
 from rotordyn.quantity import DAMPING_RATIO, suggestion
 from rotordyn.units import shown
 
-Array = NDArray[np.float64]
 Held = dict[str, Any]  # places, shape, mass, stiffness, damping
 MOST = 400  # coordinates of a reduced model
 MOST_BYTES = 16 * MOST * MOST  # of an array

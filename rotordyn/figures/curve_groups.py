@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from rotordyn.arrays import Array
 from rotordyn.figures.amplitudes import log_axis
 from rotordyn.results.headline import Curve, Known, under
-from rotordyn.results.kinds import Array
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

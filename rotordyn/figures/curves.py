@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.figures.style import BLACK, line_of
 from rotordyn.machine.reference import QUANTITIES, Reference
 from rotordyn.results.display import RPM, shown
@@ -20,7 +21,7 @@ _OTHERS = ("P", "X", "*")
 EDGE = 0.02  # of the axis: margin for marks at its ends, which would cover labels of the other
 
 
-def merged(names: Sequence[str], *drawn: NDArray[np.float64]) -> list[tuple[str, int]]:
+def merged(names: Sequence[str], *drawn: Array) -> list[tuple[str, int]]:
     """Return different columns of the ``drawn`` arrays (…, names), equal columns named together:
     ``("a, b", 0)``."""
     values = np.concatenate([array.reshape(-1, len(names)) for array in drawn])
@@ -37,10 +38,10 @@ def merged(names: Sequence[str], *drawn: NDArray[np.float64]) -> list[tuple[str,
 
 def draw_columns(
     axes: Axes,
-    rpm: NDArray[np.float64],
-    values: NDArray[np.float64],
+    rpm: Array,
+    values: Array,
     names: Sequence[str],
-    beside: Sequence[NDArray[np.float64]] = (),
+    beside: Sequence[Array] = (),
     **style: Any,
 ) -> None:
     """Draw a line per column of ``values`` (speed, name), equal columns once; ``beside``: values
@@ -95,8 +96,8 @@ def draw_references(
 
 def draw_runs(
     axes: Axes,
-    x: NDArray[np.float64],
-    y: NDArray[np.float64],
+    x: Array,
+    y: Array,
     key: NDArray[np.int_],
     **style: Any,
 ) -> None:

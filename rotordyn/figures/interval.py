@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from rotordyn.arrays import Array
 from rotordyn.figures.curve_groups import BEYOND, limit_ordinate
 from rotordyn.figures.end_names import NAMES, End, name_ends
 from rotordyn.figures.labels import broken
@@ -32,7 +33,6 @@ from rotordyn.results.interval import (
     Interval,
     short_path,
 )
-from rotordyn.results.kinds import Array
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.results.declaration import declared
 
 
@@ -32,9 +32,7 @@ def broken(path: str, longest: int) -> str:
     return "\n".join(lines)
 
 
-def spread(
-    wanted: Sequence[float], sizes: Sequence[float], low: float, high: float
-) -> NDArray[np.float64]:
+def spread(wanted: Sequence[float], sizes: Sequence[float], low: float, high: float) -> Array:
     """Return centres near ``wanted``, with labels of ``sizes`` not overlapping and in low … high.
 
     Labels that touch move as one block about the mean of their wanted centres. If they do not all

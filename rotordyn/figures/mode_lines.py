@@ -6,12 +6,11 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Flags, Words
 from rotordyn.figures.style import BLACK, BLUE, GREEN, PURPLE, RED
 from rotordyn.machine.reference import Reference
 from rotordyn.results.display import RPM
-from rotordyn.results.kinds import Array, Flags, Words
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -31,7 +30,7 @@ KNOWN = {
     "mean_bending_frequency": ("s", ", mean of both whirls"),
     "torsion_frequency": ("^", ", torsion"),
 }
-Segments = dict[str, list[NDArray[np.float64]]]
+Segments = dict[str, list[Array]]
 
 
 @runtime_checkable

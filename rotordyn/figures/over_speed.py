@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-import numpy as np
-from numpy.typing import NDArray
-
+from rotordyn.arrays import Array
 from rotordyn.figures.style import add_axes, grid_boxes, new_figure, speed_ticks
 from rotordyn.results.display import RPM
 
@@ -17,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def four_over_speed(
-    names: Sequence[str], speed: NDArray[np.float64], instead: str = ""
+    names: Sequence[str], speed: Array, instead: str = ""
 ) -> tuple[Figure, list[Axes]]:
     """Return a figure and its panels, for quantities with ``names``, over ``speed`` [rad/s], or
     over a quantity with the label ``instead``."""

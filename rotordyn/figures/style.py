@@ -15,8 +15,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Indices
 from rotordyn.results.display import rounded_up
 from rotordyn.results.headline import LEAST_POINTS
 
@@ -172,7 +172,7 @@ def mark_lone_points(axes: Axes) -> None:
             line.set(markersize=4.0, markevery=lone, clip_on=False)
 
 
-def evenly(count: int, most: int) -> NDArray[np.intp]:
+def evenly(count: int, most: int) -> Indices:
     """Return at most ``most`` evenly spaced indices of ``count``, with the first and the last."""
     return np.unique(np.linspace(0, count - 1, min(count, most)).round().astype(np.intp))
 

@@ -11,10 +11,10 @@ import numpy as np
 
 from rotordyn.analyses.headline import headline_numbers
 from rotordyn.analyses.registry import analysis, in_order
+from rotordyn.arrays import Array
 from rotordyn.results.described import Described, Shown
 from rotordyn.results.frames import turning
 from rotordyn.results.headline import Curve, Number
-from rotordyn.results.kinds import Array
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,10 +6,9 @@ import math
 from collections.abc import Iterable
 from typing import TypeVar
 
-import numpy as np
-from numpy.typing import NDArray
+from rotordyn.arrays import Array
 
-Number = TypeVar("Number", float, NDArray[np.float64])
+Number = TypeVar("Number", float, Array)
 
 
 def area(outer_diameter: Number, inner_diameter: Number) -> Number:

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.machine.cross_section import area_moments, mean_area, mean_second_moment
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
@@ -46,7 +46,7 @@ def section_inertia(section: Section, front: float) -> RotorInertia:
     return RotorInertia(mass, centre, 2.0 * transverse, diametral)
 
 
-def mass_in_front(shaft: Shaft, x: NDArray[np.float64]) -> NDArray[np.float64]:
+def mass_in_front(shaft: Shaft, x: Array) -> Array:
     """Return the mass of the shaft in front of stations ``x`` [m], without bodies on it [kg]."""
     columns: Any = [(*s.outer, *s.inner, s.density, s.length) for s in shaft.sections]
     front_outer, rear_outer, front_inner, rear_inner, density, length = np.array(columns).T

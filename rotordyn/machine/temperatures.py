@@ -11,10 +11,7 @@ from rotordyn.machine.support import beside
 from rotordyn.quantity import Name, Speed, Temperature, ThermalExpansion
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Array = NDArray[np.float64]
+    from rotordyn.arrays import Array
 
 MEASURED = 20.0  # °C, at which lengths are measured (ISO 1)
 Values = Temperature | tuple[Temperature, ...]

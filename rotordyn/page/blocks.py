@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from rotordyn.results.kinds import Array, Complex
+from rotordyn.arrays import Array, Complex
 from rotordyn.surface.body import Whole
 
 BEARINGS, BEARING = "Bearings", "bearing"  # section and first column that analyses share

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from rotordyn.arrays import Array
 from rotordyn.figures.legends import shortened
 from rotordyn.report.datasets import restored_as
 from rotordyn.report.netcdf import read_results, write_results
@@ -15,7 +16,6 @@ from rotordyn.report.tables import Column, number_cells, write_table
 from rotordyn.results.display import number, rounded_up
 from rotordyn.results.headline import NONE as ABSENT
 from rotordyn.results.interval import NARROW, Interval
-from rotordyn.results.kinds import Array
 from rotordyn.results.text import aligned, wrapped
 
 FILE, NAME = "interval.nc", "interval"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Flags
 from rotordyn.machine.limits import PRELOAD_PRESSURE, WARNING_PRESSURE
 from rotordyn.results.text import which_of
 
@@ -26,7 +27,7 @@ BALL_QUANTITIES = (
 )
 
 
-def pressed(what: str, speed: NDArray[np.float64], peak: NDArray[np.float64]) -> str:
+def pressed(what: str, speed: Array, peak: Array) -> str:
     """A warning where the pressure passes the limit at some speed, else nothing."""
     over = peak > WARNING_PRESSURE
     if not over.any():
@@ -37,7 +38,7 @@ def pressed(what: str, speed: NDArray[np.float64], peak: NDArray[np.float64]) ->
     )
 
 
-def preloaded(what: str, speed: NDArray[np.float64], peak: NDArray[np.float64]) -> str:
+def preloaded(what: str, speed: Array, peak: Array) -> str:
     """A warning where pressures at rest exceed those of usual preloads, else nothing."""
     at_rest = np.nanmax(peak[speed == 0.0], initial=0.0)
     if not at_rest > PRELOAD_PRESSURE:
@@ -60,7 +61,7 @@ def of_a_pair(rating: float, of_grooves: float) -> str:
     )
 
 
-def unsafe(safety: NDArray[np.float64], speed: NDArray[np.float64]) -> str:
+def unsafe(safety: Array, speed: Array) -> str:
     """A warning where the static safety (speeds, …) is too low for computed lives, else nothing."""
     low = safety < LEAST_SAFETY
     if not low.any():
@@ -72,9 +73,7 @@ def unsafe(safety: NDArray[np.float64], speed: NDArray[np.float64]) -> str:
     )
 
 
-def overloaded(
-    load: NDArray[np.float64], rating: NDArray[np.float64], speed: NDArray[np.float64]
-) -> str:
+def overloaded(load: Array, rating: Array, speed: Array) -> str:
     """A warning where the equivalent load (speeds, …) exceeds half the dynamic rating [N], up to
     which ISO/TS 16281 is valid, else nothing."""
     high = 2.0 * load > rating
@@ -86,7 +85,7 @@ def overloaded(
     )
 
 
-def no_film(gone: NDArray[np.bool_], speed: NDArray[np.float64]) -> str:
+def no_film(gone: Flags, speed: Array) -> str:
     """A warning where loaded contacts at speed have no film (speeds, …), else nothing."""
     if not gone.any():
         return ""
@@ -96,7 +95,7 @@ def no_film(gone: NDArray[np.bool_], speed: NDArray[np.float64]) -> str:
     )
 
 
-def softened(factor: NDArray[np.float64], speed: NDArray[np.float64]) -> str:
+def softened(factor: Array, speed: Array) -> str:
     """A warning where heat lowers the dynamic rating at some speed (speeds, …), else nothing."""
     hot = factor < 1.0
     if not hot.any():
@@ -107,7 +106,7 @@ def softened(factor: NDArray[np.float64], speed: NDArray[np.float64]) -> str:
     )
 
 
-def slipping(what: str, speed: NDArray[np.float64], races: NDArray[np.str_]) -> str:
+def slipping(what: str, speed: Array, races: NDArray[np.str_]) -> str:
     """A warning where balls slip on a race at some speed, else nothing."""
     slips = races != ""
     if not slips.any():
@@ -117,7 +116,7 @@ def slipping(what: str, speed: NDArray[np.float64], races: NDArray[np.str_]) -> 
     return f"{what}: the balls slip on {race} {which_of(speed, slips)} (friction as given)"
 
 
-def friction_warning(what: str, speed: NDArray[np.float64], grip: NDArray[np.float64]) -> str:
+def friction_warning(what: str, speed: Array, grip: Array) -> str:
     """A warning where rolling without slip requires high friction at some speed, else nothing.
 
     0.1 is about the most that oil-lubricated steel on steel has (Harris and Kotzalas, Rolling

@@ -11,10 +11,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from rotordyn.arrays import Array, Flags
 from rotordyn.machine.reference import Reference
 from rotordyn.results.declaration import declared
 from rotordyn.results.display import RPM, number
-from rotordyn.results.kinds import Array, Flags
 from rotordyn.results.text import outside
 
 LEAST_POINTS = 4  # for a line; fewer are marks

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from rotordyn.arrays import Array
 from rotordyn.results.declaration import coordinate, quantity
-from rotordyn.results.kinds import Array
 
 Whole = np.ndarray[tuple[int, ...], np.dtype[np.int64]]
 ENDS = ("lowest", "highest")

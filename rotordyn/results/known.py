@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
+from rotordyn.arrays import Array
 from rotordyn.machine.reference import Reference
-from rotordyn.results.kinds import Array
 
 SAME_SPEED = 5e-3  # of the highest speed: nothing is interpolated between speeds
 

@@ -7,8 +7,8 @@ import textwrap
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Flags
 from rotordyn.results.display import RPM, number
 
 WIDTH = 100
@@ -67,7 +67,7 @@ def aligned(rows: Sequence[Sequence[str]]) -> list[str]:
     return ["  ".join(map(str.ljust, row, widths)).rstrip() for row in rows]
 
 
-def over_speed(values: NDArray[np.float64], speed: NDArray[np.float64], digits: int = 1) -> str:
+def over_speed(values: Array, speed: Array, digits: int = 1) -> str:
     """The first and the last value over ``speed`` [rad/s], and extremes beyond both.
 
     >>> over_speed(np.array([94.1, 7.71, 13.7]), np.array([0.0, 628.3, 942.5]))
@@ -81,7 +81,7 @@ def over_speed(values: NDArray[np.float64], speed: NDArray[np.float64], digits: 
     return f"{ends} ({', '.join(more)})" if more else ends
 
 
-def outside(values: NDArray[np.float64]) -> list[tuple[str, int, float]]:
+def outside(values: Array) -> list[tuple[str, int, float]]:
     """The least and the largest value, with their indices, where they lie beyond the first and the
     last one."""
     finite = np.where(np.isfinite(values), values, np.nan)
@@ -96,7 +96,7 @@ def outside(values: NDArray[np.float64]) -> list[tuple[str, int, float]]:
     ]
 
 
-def which_of(speed: NDArray[np.float64], holds: NDArray[np.bool_]) -> str:
+def which_of(speed: Array, holds: Flags) -> str:
     """Speeds [rad/s], as text, at which a condition ``holds`` (speeds, ...), at least at one.
 
     >>> which_of(np.array([0.0, 100.0, 200.0]), np.array([False, True, False]))
@@ -111,7 +111,7 @@ def which_of(speed: NDArray[np.float64], holds: NDArray[np.bool_]) -> str:
     return f"at {rows.size} of {len(speed)} speeds, first at {first}"
 
 
-def from_to(values: NDArray[np.float64], digits: int = 1) -> str:
+def from_to(values: Array, digits: int = 1) -> str:
     """The first and the last value over speed; where there is but one speed, its value."""
     ends = values[[0, -1]] if len(values) > 1 else values
     return " → ".join(number(value, digits) for value in ends)

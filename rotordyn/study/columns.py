@@ -11,9 +11,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from rotordyn.arrays import Array, Flags
 from rotordyn.page.blocks import Chart, Control, Markup, Table
 from rotordyn.page.looks import COLOURS, axis
-from rotordyn.results.kinds import Array, Flags
 
 MOST_ROWS = 500  # of the table on the page
 MOST_LISTED = 12  # values of a parameter; of more, only the lowest and highest are listed

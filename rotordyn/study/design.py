@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from rotordyn.arrays import Array
 from rotordyn.case.case import Case
 from rotordyn.case.study import MOST_DRAWN, SAMPLED, SAMPLINGS
 from rotordyn.case.varied import found_at
@@ -19,7 +20,6 @@ from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
 from rotordyn.field import shown
 from rotordyn.quantity import suggestion
-from rotordyn.results.kinds import Array
 from rotordyn.study.latin_hypercube import latin_hypercube
 from rotordyn.study.parameter import (
     Parameter,

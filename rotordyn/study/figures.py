@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from rotordyn.analyses.registry import analysis
+from rotordyn.arrays import Array
 from rotordyn.figures.labels import broken
 from rotordyn.figures.legends import shortened
 from rotordyn.figures.style import (
@@ -27,7 +28,6 @@ from rotordyn.figures.style import (
     head,
     new_figure,
 )
-from rotordyn.results.kinds import Array
 from rotordyn.study.parameter import Parameter
 from rotordyn.study.point import Outcome, Study
 from rotordyn.study.summary import lacking, names

@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Flags
 from rotordyn.case.asked import Asked, asked_of
 from rotordyn.case.case import Case
 from rotordyn.case.tolerance import Tolerance
@@ -25,7 +26,6 @@ from rotordyn.study.latin_hypercube import latin_hypercube
 from rotordyn.study.machines import Machines, lean
 from rotordyn.study.sensitivity import Derivatives, derivatives
 
-Array = NDArray[np.float64]
 Progress = Callable[[str], None]
 RULES = 0.1  # share of the sum of squared effects above which a tolerance rules a number
 BENT = 0.05  # deviation from a straight line, over the change from end to end, that is neglected
@@ -306,7 +306,7 @@ def _ends(changes: Array) -> Array:
     return np.stack([_least(changes), -_least(-changes)], axis=1)
 
 
-def _moved(y: Array, log: NDArray[np.bool_], changes: Array) -> Array:
+def _moved(y: Array, log: Flags, changes: Array) -> Array:
     """Points of curves plus ``changes``, which are of their logarithms where ``log``."""
     changes = np.nan_to_num(changes)
     with np.errstate(over="ignore", invalid="ignore"):

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from rotordyn.results.kinds import Array
+from rotordyn.arrays import Array
 
 
 def latin_hypercube(count: int, size: int, seed: int | Sequence[int]) -> Array:

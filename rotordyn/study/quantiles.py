@@ -17,9 +17,8 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from rotordyn.results.kinds import Array
+from rotordyn.arrays import Array, Indices
 
 COVERED = 95.0  # % of machines within the usual range
 POINTS = 4096
@@ -144,7 +143,7 @@ def ranges(value: Array, effects: Sequence[Effect], corners: Corners | None = No
     return result
 
 
-def _scaled(power: _Power, value: Array, effect: Effect, rows: NDArray[np.intp]) -> Effect:
+def _scaled(power: _Power, value: Array, effect: Effect, rows: Indices) -> Effect:
     """Effect on the numbers ``rows``, as changes of the transformed values."""
     nominal = value[rows]
     return effect._replace(change=power.of(nominal + effect.change[:, rows]) - power.of(nominal))

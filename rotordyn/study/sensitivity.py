@@ -13,13 +13,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from bearings.arguments import typed
+from rotordyn.arrays import Array
 from rotordyn.case.asked import Asked, certain, within_case
 from rotordyn.case.case import Case
 from rotordyn.case.tolerance import Tolerance
 from rotordyn.errors import InvalidInput
 from rotordyn.field import shown
 from rotordyn.results.headline import Number
-from rotordyn.results.kinds import Array
 from rotordyn.study.machines import Machines, lean
 
 if TYPE_CHECKING:

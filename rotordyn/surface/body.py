@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-Whole = NDArray[np.intp]
+from rotordyn.arrays import Array, Indices
+
+Whole = Indices
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Complex
 from rotordyn.equation.dofs import position
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 _PLANES = (("y", "thz", 1.0), ("z", "thy", -1.0))  # deflection, tilt, sign of the tilt
 
 

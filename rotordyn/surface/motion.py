@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Complex
 from rotordyn.equation.elements.beam import shear_parameter
 from rotordyn.equation.elements.shear import shear_coefficient
 from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.shaft import Shaft
-from rotordyn.surface.body import Array, Surface
+from rotordyn.surface.body import Surface
 from rotordyn.surface.interpolation import between_nodes
 
-Complex = NDArray[np.complex128]
 STEEPEST = 0.35  # rad: tilt of a drawn cross-section, which grows by 1 / cos of it
 
 

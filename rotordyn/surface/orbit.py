@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from rotordyn.surface.body import Array
-from rotordyn.surface.motion import Complex, at_phase
+from rotordyn.arrays import Array, Complex
+from rotordyn.surface.motion import at_phase
 
 FLAT = 1e-6  # share of the two circular parts by which an orbit must differ from a line
 

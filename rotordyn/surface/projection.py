@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from rotordyn.surface.body import Array
+from rotordyn.arrays import Array
 
 VIEW = (-0.55, 0.42, 1.0)  # towards the viewer: in front of the nose, above, z towards the viewer
 

@@ -9,7 +9,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from rotordyn.surface.body import Array, Surface, Whole
+from rotordyn.arrays import Array
+from rotordyn.surface.body import Surface, Whole
 
 GENERATORS = 8  # drawn lines along the surface
 FACETS = 48  # around the axis: a polygon of 48 sides has 0.3 % less area than its circle

@@ -7,10 +7,11 @@ from dataclasses import replace
 
 import numpy as np
 
+from rotordyn.arrays import Array, Complex
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import GROUND, SPINDLE
-from rotordyn.surface.body import Array, Surface, together
-from rotordyn.surface.motion import Complex, displacement, section_motion
+from rotordyn.surface.body import Surface, together
+from rotordyn.surface.motion import displacement, section_motion
 from rotordyn.surface.revolution import FACETS
 from rotordyn.surface.rotor import holder_surface, rotor_surface
 

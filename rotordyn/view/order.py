@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Complex
 from rotordyn.machine.spindle import Spindle
 
 
@@ -21,9 +21,9 @@ class Order:
     """
 
     spindle: Spindle
-    node: NDArray[np.float64]
+    node: Array
     rotor: tuple[str, ...]
-    shape: NDArray[np.complex128]
+    shape: Complex
     amplitude: float
     frames: int = 0
     colours: str = "YlGn"

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Complex, Indices
 from rotordyn.machine.spindle import Spindle
 from rotordyn.surface.body import Surface, together
 from rotordyn.surface.motion import at_phase, drawn_scale, reach
@@ -16,8 +17,6 @@ from rotordyn.surface.projection import projected, screen
 from rotordyn.surface.rotor import orbit_stations
 from rotordyn.surface.several import displacements, holders, section_motions, surfaces
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 Pixels = NDArray[np.uint8]
 TURNING = {1: "#0072B2", -1: "#D55E00", 0: "#222222"}
 EDGE, REST, HOLDER, AXIS = "#3F4A42", "#8A9097", "#7D8FA3", "#222222"
@@ -212,11 +211,11 @@ def _split(surface: Surface) -> Any:
     )
 
 
-def _circles(surface: Surface) -> tuple[NDArray[np.intp], ...]:
+def _circles(surface: Surface) -> tuple[Indices, ...]:
     return tuple(line for line in surface.lines if line[0] == line[-1])
 
 
-def _polylines(points: Array, lines: tuple[NDArray[np.intp], ...]) -> Any:
+def _polylines(points: Array, lines: tuple[Indices, ...]) -> Any:
     import pyvista
 
     cells = [np.concatenate([[len(line)], line]) for line in lines]

@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 import pytest
 
+from rotordyn.arrays import Array, Words
 from rotordyn.results.declaration import Absence, coordinate, quantity
-from rotordyn.results.kinds import Array, Words
 from tests.hostile.numbers import unexplained
 
 NAN, INF = np.nan, np.inf

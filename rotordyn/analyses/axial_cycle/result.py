@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from rotordyn.arrays import Array, Words
 from rotordyn.results.declaration import Absence, coordinate, quantity
-from rotordyn.results.kinds import Array, Words
 
 BRANCHES = ("falling", "rising")
 CYCLE = ("speed", "branch", "force")

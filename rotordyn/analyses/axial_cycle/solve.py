@@ -10,18 +10,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.allowance import require_history, require_time
 from rotordyn.analyses.axial_cycle.result import BRANCHES, AxialCycleResult
 from rotordyn.analyses.axial_cycle.spec import AxialCycleSpec
+from rotordyn.arrays import Array, Indices
 from rotordyn.preload.arrangement import SHAFT
 from rotordyn.preload.history import History, history
 from rotordyn.scene.scene import Scene
 from rotordyn.state import NoEquilibrium
 from rotordyn.state.contacts import State
 
-Array = NDArray[np.float64]
 NONE = 1e-9  # of the range of the cycle: a smaller force counts as zero
 
 
@@ -85,7 +84,7 @@ def solve(scene: Scene, spec: AxialCycleSpec) -> AxialCycleResult:
     )
 
 
-def _path_forces(listed: Array) -> tuple[Array, NDArray[np.intp]]:
+def _path_forces(listed: Array) -> tuple[Array, Indices]:
     """Return ``listed`` forces, ascending, with zero if it is between, and their rows in these."""
     if not listed[0] < 0.0 < listed[-1] or np.abs(listed).min() <= NONE * np.ptp(listed):
         return listed, np.arange(len(listed))

@@ -6,9 +6,9 @@ import numpy as np
 
 from rotordyn.analyses.bearing.result import BearingMapResult
 from rotordyn.analyses.bearing.solve import tangent_error
+from rotordyn.arrays import Array
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
-from rotordyn.results.kinds import Array
 from rotordyn.results.known import at_speeds
 
 

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Flags, Words
 from rotordyn.results.declaration import Absence, coordinate, quantity
 from rotordyn.results.display import MILLIMETRE, Shown
-from rotordyn.results.kinds import Array, Flags, Words
 
 BY_LOAD = ("speed", "load")
 FEW_SPEEDS = 3  # which are curves over load, not points of one over speed

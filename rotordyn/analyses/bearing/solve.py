@@ -17,12 +17,12 @@ from bearings.ring.motion import ball_motion
 from bearings.ring.state import BearingState
 from rotordyn.analyses.bearing.result import BearingMapResult, MomentMapResult, RadialMapResult
 from rotordyn.analyses.bearing.spec import AXIAL, FIXED, MOMENT, RADIAL, BearingMapSpec
+from rotordyn.arrays import Array
 from rotordyn.errors import NoSolution
 from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.results.balls import BALL_QUANTITIES, DOFS
 from rotordyn.results.declaration import declared
 from rotordyn.results.display import RPM
-from rotordyn.results.kinds import Array
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.lubrication import hot_rating
 

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from rotordyn.analyses.bearing.result import BearingMapResult, RadialMapResult
 from rotordyn.analyses.bearing.solve import mounted_under, under
+from rotordyn.arrays import Array, Flags
 from rotordyn.results.balls import (
     no_film,
     of_a_pair,
@@ -23,7 +24,6 @@ from rotordyn.results.display import DEGREE, RPM, STIFFNESS, percent
 from rotordyn.results.headline import Number, each_speed
 from rotordyn.results.text import INDENT, from_to, over_speed
 
-Array = NDArray[np.float64]
 MOST_LOADS = 6  # in a table of variants
 RINGS = {"i": "inner", "o": "outer"}
 
@@ -206,7 +206,7 @@ def _shown(result: BearingMapResult) -> list[int]:
     return list(range(count)) if count <= MOST_LOADS else [0, count - 1]
 
 
-def _turning(result: BearingMapResult) -> NDArray[np.bool_]:
+def _turning(result: BearingMapResult) -> Flags:
     """Return where the bearing turns under load (speeds, loads)."""
     return (result.speed > 0.0)[:, None] & (result.equivalent_load > 0.0)
 

@@ -5,15 +5,14 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bearings import ring_deflection
 from rotordyn.analyses.bearing_loads.result import BearingLoadsResult
 from rotordyn.analyses.bearing_loads.spec import BearingLoadsSpec
+from rotordyn.arrays import Array, Indices
 from rotordyn.equation.seat import HALF_TURN_ABOUT_Y
 from rotordyn.scene.scene import Scene
 
-Array = NDArray[np.float64]
 OF_BALLS = ("inner_load", "outer_load", "inner_angle", "outer_angle")
 
 
@@ -60,7 +59,7 @@ def solve(scene: Scene, spec: BearingLoadsSpec) -> BearingLoadsResult:
     )
 
 
-def _losses(scene: Scene, spec: BearingLoadsSpec, inner: Array) -> tuple[Array, NDArray[np.intp]]:
+def _losses(scene: Scene, spec: BearingLoadsSpec, inner: Array) -> tuple[Array, Indices]:
     """Return the share of loads at which a bearing's first ball loses contact, and that ball."""
     share, ball = np.full(inner.shape[:2], np.nan), np.zeros(inner.shape[:2], dtype=np.intp)
     # states with every ball loaded under the full loads need not be followed up to them

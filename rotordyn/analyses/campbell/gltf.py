@@ -14,6 +14,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Complex, Indices
+
 SECONDS = 2.0  # that one period takes
 KEYS = 36  # instants of a period; between them weights are linear
 PALE, DARK = np.array([255, 255, 229]), np.array([0, 90, 50])
@@ -26,10 +28,10 @@ def write_glb(
     path: Path,
     *,
     name: str,
-    points: NDArray[np.float64],
-    triangles: NDArray[np.intp],
-    motion: NDArray[np.complex128],
-    share: NDArray[np.float64],
+    points: Array,
+    triangles: Indices,
+    motion: Complex,
+    share: Array,
 ) -> None:
     """Write ``points`` (n, 3) [m] moving by the complex ``motion`` (n, 3) [m].
 
@@ -107,7 +109,7 @@ class _Buffer:
         return len(self.accessors) - 1
 
 
-def _colours(share: NDArray[np.float64]) -> NDArray[np.uint8]:
+def _colours(share: Array) -> NDArray[np.uint8]:
     mixed = PALE + share[:, None] * (DARK - PALE)
     opaque = np.full((len(share), 1), 255.0)
     return np.concatenate([mixed, opaque], axis=1).round().astype(np.uint8)

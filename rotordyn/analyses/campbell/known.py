@@ -7,10 +7,10 @@ from collections.abc import Callable
 import numpy as np
 
 from rotordyn.analyses.campbell.result import CampbellResult
+from rotordyn.arrays import Array
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
 from rotordyn.results.frames import turning
-from rotordyn.results.kinds import Array
 from rotordyn.results.known import SAME_SPEED, column
 
 

@@ -21,12 +21,13 @@ from rotordyn.analyses.campbell.gltf import write_glb
 from rotordyn.analyses.campbell.result import CampbellResult
 from rotordyn.analyses.campbell.spec import CampbellSpec, ShapesInSpaceSpec
 from rotordyn.analyses.contract import File
+from rotordyn.arrays import Array, Complex
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM
-from rotordyn.surface.body import Array, Surface, together
-from rotordyn.surface.motion import Complex, at_phase, drawn_scale, reach
+from rotordyn.surface.body import Surface, together
+from rotordyn.surface.motion import at_phase, drawn_scale, reach
 from rotordyn.surface.orbit import phases
 from rotordyn.surface.several import displacements, surfaces
 

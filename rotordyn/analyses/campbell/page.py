@@ -15,6 +15,7 @@ from rotordyn.analyses.campbell.figures.diagram import (
     shown_criticals,
 )
 from rotordyn.analyses.campbell.result import CampbellResult
+from rotordyn.arrays import Array, Complex
 from rotordyn.figures.mode_lines import KNOWN, LONE, jumps, look_of
 from rotordyn.machine.spindle import Spindle
 from rotordyn.page.blocks import Block, Chart, Control, Shapes, Table, Text
@@ -24,7 +25,6 @@ from rotordyn.results.described import Shown
 from rotordyn.results.display import RPM, number
 from rotordyn.results.frames import turning
 from rotordyn.results.headline import broken
-from rotordyn.results.kinds import Array, Complex
 from rotordyn.results.text import from_to
 from rotordyn.surface.body import together
 from rotordyn.surface.motion import drawn_scale

@@ -7,10 +7,10 @@ from typing import ClassVar
 
 import numpy as np
 
+from rotordyn.arrays import Array, Complex, Flags, Words
 from rotordyn.modes.overdamped import ROUNDING, is_overdamped
 from rotordyn.results.declaration import Absence, coordinate, quantity
 from rotordyn.results.display import MILLIMETRE, PER_SECOND
-from rotordyn.results.kinds import Array, Complex, Flags, Words
 
 NOT_FOLLOWED = Absence("at a speed at which the mode is not followed", beside="followed")
 UNREFINED = Absence("where the model is not refined")

@@ -16,9 +16,9 @@ from bearings.bearing import BallBearing
 from bearings.errors import InvalidBearing
 from bearings.geometry import geometry
 from bearings.ring.state import BearingState
+from rotordyn.arrays import Array, Flags, Indices
 
-Array = NDArray[np.float64]
-Index = NDArray[np.intp]
+Index = Indices
 RACES = ("inner", "outer")
 LIGHTEST = 1e-3  # N
 LEVELS = 48  # loads between which a change of control is sought
@@ -130,7 +130,7 @@ def least_margins(state: BearingState) -> Array:
     return np.where(valid, margins.min(axis=-1), np.nan)
 
 
-def three_contacts(state: BearingState) -> NDArray[np.bool_]:
+def three_contacts(state: BearingState) -> Flags:
     """Return whether a ball has more than two contacts (…), which its inner race then loads."""
     return np.asarray((state.contacts > 2).any(axis=-1))
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Words
 from rotordyn.results.declaration import coordinate, quantity
-from rotordyn.results.kinds import Array, Words
 
 
 @dataclass(frozen=True)

@@ -15,10 +15,10 @@ from rotordyn.analyses.control.control_map import (
 )
 from rotordyn.analyses.control.result import ControlResult
 from rotordyn.analyses.control.spec import ControlSpec
+from rotordyn.arrays import Array
 from rotordyn.errors import NoSolution
 from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.results.display import RPM
-from rotordyn.results.kinds import Array
 from rotordyn.scene.conditions import Conditions
 
 TERMS = ("quadratic", "linear", "constant")

@@ -8,16 +8,14 @@ from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.measured_response import MeasuredResponse, Port
 from rotordyn.analyses.measured_spindle import PLANES
 from rotordyn.analyses.on_measured import OnMeasured
+from rotordyn.arrays import Array, Complex
 from rotordyn.machine.spindle import Spindle
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 NAME = "tool on the measured spindle"
 ROUNDS, TRIED = 2, 41  # frequencies tried around each peak, and once more around the best
 

@@ -7,15 +7,13 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.frf.coupled import TipError
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.measured_response import as_quantity
+from rotordyn.arrays import Array, Complex, Indices
 from rotordyn.numerics.line_peak import line_peak
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 PEAKS = 3
 NO_TIP = TipError(math.nan, math.nan, "", np.asarray)
 LEAST_POINTS = 8  # in the band: with fewer, any two smooth curves correlate
@@ -93,7 +91,7 @@ def assurance(one: Complex, other: Complex) -> float:
     return float(np.abs(np.vdot(one, other)) ** 2) / size
 
 
-def peaks_of(amplitude: Array) -> NDArray[np.intp]:
+def peaks_of(amplitude: Array) -> Indices:
     """Indices of local maxima from which the amplitude falls by 3 dB on both sides before it rises
     above them, highest first."""
     inner = amplitude[1:-1]

@@ -11,6 +11,7 @@ from rotordyn.analyses.frf.figures.decimate import nearest, peak_bins
 from rotordyn.analyses.frf.figures.map import amplitude, amplitude_range, with_peaks
 from rotordyn.analyses.frf.result import FrequencyResponse
 from rotordyn.analyses.frf.summary import speeds_compared
+from rotordyn.arrays import Array, Complex
 from rotordyn.figures.amplitudes import wrapped_phase
 from rotordyn.page.blocks import Block, Chart, Control, Markup, Table
 from rotordyn.page.looks import INK, axis, line, logarithmic
@@ -18,7 +19,6 @@ from rotordyn.page.packed import rounded
 from rotordyn.results.declaration import declared
 from rotordyn.results.described import Shown
 from rotordyn.results.display import RPM, number, shown
-from rotordyn.results.kinds import Array, Complex
 
 MOST_VALUES = 300_000  # of all responses of a page
 MOST_VARIANTS = 6  # in one chart

@@ -8,9 +8,9 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Complex, Flags, Words
 from rotordyn.results.declaration import Absence, coordinate, declared, quantity
 from rotordyn.results.display import response_unit
-from rotordyn.results.kinds import Array, Complex, Flags, Words
 
 AS_COMPUTED = "SI, as computed"  # unit of fields whose entries have those of their pairs
 

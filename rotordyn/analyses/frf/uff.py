@@ -13,10 +13,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.contract import File
 from rotordyn.analyses.frf.result import FrequencyResponse
+from rotordyn.arrays import Array
 from rotordyn.errors import LeftOut
 from rotordyn.plain import plain
 from rotordyn.results.declaration import declared
@@ -179,7 +179,7 @@ def _record(
     }
 
 
-def _even_step(frequency: NDArray[np.float64]) -> float:
+def _even_step(frequency: Array) -> float:
     """Step of an even axis [Hz]; 0 where the six digits of the header do not reproduce it."""
     if frequency.size < 2:
         return 0.0

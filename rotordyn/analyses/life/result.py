@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Flags, Words
 from rotordyn.results.declaration import Absence, coordinate, quantity
 from rotordyn.results.display import Shown
-from rotordyn.results.kinds import Array, Flags, Words
 
 BY = ("speed", "bearing")
 HOUR = 3600.0  # s

@@ -14,6 +14,7 @@ from bearings.life.rating import is_thrust
 from bearings.ring.state import BearingState
 from rotordyn.analyses.life.result import LifeResult
 from rotordyn.analyses.life.spec import LifeSpec, LoadStep
+from rotordyn.arrays import Array
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
@@ -22,7 +23,6 @@ from rotordyn.results.display import RPM
 from rotordyn.scene.lubrication import Lubrication, hot_rating
 from rotordyn.scene.scene import Scene
 
-Array = NDArray[np.float64]
 Values = dict[str, NDArray[Any]]
 OIL_FIELDS = (  # NaN without a lubricant
     *("inner_heat", "outer_heat", "spin_heat", "viscous_heat", "moment"),

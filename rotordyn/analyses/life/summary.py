@@ -6,9 +6,9 @@ import math
 from collections.abc import Callable, Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.life.result import HOUR, LifeResult
+from rotordyn.arrays import Array, Flags
 from rotordyn.results.balls import (
     LEAST_SAFETY,
     no_film,
@@ -22,7 +22,6 @@ from rotordyn.results.display import DEGREE, RPM, number, percent
 from rotordyn.results.headline import Number, each_speed
 from rotordyn.results.text import from_to, unbroken, which_of
 
-Array = NDArray[np.float64]
 LONG = 1e6  # h, beyond which no life is printed
 SAFE = 1e3  # of S0, next to no load
 LIGHT = 0.01  # GPa
@@ -101,7 +100,7 @@ def _static(result: LifeResult) -> str:
     return f"C0 [N] {entries}{missing}"
 
 
-def unmodified(result: LifeResult) -> NDArray[np.bool_]:
+def unmodified(result: LifeResult) -> Flags:
     """Bearings (bearings,) of which a_ISO is not known at any κ, such as thrust bearings."""
     sufficient = result.viscosity_ratio >= LEAST_KAPPA
     expected = sufficient & np.isfinite(result.equivalent_load)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from rotordyn.arrays import Array, Complex, Words
 from rotordyn.results.declaration import Absence, coordinate, quantity
 from rotordyn.results.display import response_unit
-from rotordyn.results.kinds import Array, Complex, Words
 
 SQUARE = ("speed", "row", "column")
 MODAL = "of coordinates with mass 1: those of a displacement in m are m √kg"

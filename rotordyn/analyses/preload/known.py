@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from rotordyn.analyses.preload.result import PreloadResult
+from rotordyn.arrays import Array
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
-from rotordyn.results.kinds import Array
 from rotordyn.results.known import at_speeds, column
 
 

@@ -9,12 +9,12 @@ import numpy as np
 
 from rotordyn.analyses.preload.figures import headline_curves
 from rotordyn.analyses.preload.result import PreloadResult
+from rotordyn.arrays import Array
 from rotordyn.page.blocks import BEARING, BEARINGS, Block, Table
 from rotordyn.page.curves import curve_charts
 from rotordyn.results.described import Shown
 from rotordyn.results.display import DEGREE, GIGAPASCAL, RPM
 from rotordyn.results.headline import Curve, curves_of
-from rotordyn.results.kinds import Array
 from rotordyn.results.text import from_to
 
 _FIELDS = (

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Flags, Words
 from rotordyn.results.declaration import Absence, coordinate, quantity
-from rotordyn.results.kinds import Array, Flags, Words
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from bearings.ring.state import BearingState
 from rotordyn.analyses.preload.result import PreloadResult
 from rotordyn.analyses.preload.spec import PreloadSpec
+from rotordyn.arrays import Array, Indices
 from rotordyn.errors import InvalidInput
 from rotordyn.preload.arrangement import SHAFT, rigid
 from rotordyn.preload.mounting import ring_offset
@@ -18,8 +19,6 @@ from rotordyn.preload.state import PreloadState
 from rotordyn.results.balls import BALL_QUANTITIES, DOFS
 from rotordyn.results.display import RPM
 from rotordyn.scene.scene import Scene
-
-Array = NDArray[np.float64]
 
 
 def solve(scene: Scene, spec: PreloadSpec) -> PreloadResult:
@@ -68,7 +67,7 @@ def solve(scene: Scene, spec: PreloadSpec) -> PreloadResult:
     )
 
 
-def _heaviest(state: BearingState, column: int) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+def _heaviest(state: BearingState, column: int) -> tuple[Indices, Indices]:
     """Indices, into values (speeds, balls) of a bearing, of the ball with the largest load on its
     inner race (speeds,); without transverse loads all balls are equal."""
     ball = np.nan_to_num(state.inner_load[:, column]).argmax(axis=1)

@@ -9,10 +9,10 @@ import numpy as np
 
 from rotordyn.analyses.preload.known import preload_sum
 from rotordyn.analyses.preload.result import PreloadResult
+from rotordyn.arrays import Array
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM
 from rotordyn.results.headline import Number, each_speed
-from rotordyn.results.kinds import Array
 from rotordyn.results.text import from_to, over_speed, unbroken
 
 SAME = 0.5  # N

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from rotordyn.analyses.section_forces.result import SectionForcesResult
+from rotordyn.arrays import Array
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
-from rotordyn.results.kinds import Array
 from rotordyn.results.known import column
 
 

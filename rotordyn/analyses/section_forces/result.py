@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from rotordyn.arrays import Array, Words
 from rotordyn.results.declaration import coordinate, quantity
 from rotordyn.results.display import MEGAPASCAL, MILLIMETRE
-from rotordyn.results.kinds import Array, Words
 from rotordyn.scene.linearity import LINEAR
 
 

@@ -5,14 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.stability_lobes.modal import ModalTip, of_residues
+from rotordyn.arrays import Array, Complex
 from rotordyn.numerics.rational import rational_poles
 from rotordyn.numerics.vector_fit import Fit, residues, vector_fit
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 EXACT = 1e-7  # of the largest receptance: largest error of a fit that counts as exact
 NEAR = 1e-11  # of the largest receptance: tolerance of the rational function of first poles
 SPURIOUS = 1e-7  # of the largest receptance: highest peak of a mode that a fit does not need

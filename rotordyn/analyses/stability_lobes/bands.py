@@ -17,9 +17,9 @@ from rotordyn.analyses.stability_lobes.modal_limit import Limit
 from rotordyn.analyses.stability_lobes.operation import Operation
 from rotordyn.analyses.stability_lobes.spec import Interval
 from rotordyn.analyses.stability_lobes.tip import Tip
+from rotordyn.arrays import Array, Indices
 
-Array = NDArray[np.float64]
-Rows = NDArray[np.intp]
+Rows = Indices
 LEAST, MOST = 2, 64  # parts of half the interval of stiffness
 PER_LOBE = 16.0  # parts of the whole interval for every lobe that passes
 PER_PEAK = 0.5  # parts of half the interval, by its share over the damping ratio of a peak

@@ -17,11 +17,9 @@ from itertools import groupby, pairwise
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.stability_lobes.cutting import Cut
-
-Array = NDArray[np.float64]
+from rotordyn.arrays import Array
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,13 +14,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.stability_lobes.chips import passed
 from rotordyn.analyses.stability_lobes.forces import Forces
+from rotordyn.arrays import Array, Complex, Indices
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 FINE, LEAST, ARC = 8, 2000, 400  # angles in the shortest wave, in all, and from entry to exit
 MOST = 100_000  # angles, however short the arc
 SLICE = 0.05  # rad: lag of an edge between slices
@@ -106,7 +104,7 @@ class Contact:
         """Number of slices of an edge."""
         return max(1, math.ceil(self.forces.cut.lag / SLICE))
 
-    def _slices(self, angle: Array, tooth: int) -> Iterator[tuple[Array, NDArray[np.intp]]]:
+    def _slices(self, angle: Array, tooth: int) -> Iterator[tuple[Array, Indices]]:
         """Yield angles of the slices of an edge that are between entry and exit, and their indices
         among the ``angle`` of the cutter."""
         cut = self.forces.cut

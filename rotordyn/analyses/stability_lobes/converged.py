@@ -20,17 +20,16 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.stability_lobes.limits import Limits
 from rotordyn.analyses.stability_lobes.modal_limit import Limit
 from rotordyn.analyses.stability_lobes.operation import Operation
 from rotordyn.analyses.stability_lobes.sampling import HIGHEST
+from rotordyn.arrays import Indices
 from rotordyn.errors import InvalidInput
 from rotordyn.scene.scene import Scene
 
-Array = NDArray[np.float64]
-Rows = NDArray[np.intp]
+Rows = Indices
 ALLOWED = 0.05  # largest change of a limit by a finer model, over the limit
 DOUBLINGS = 4  # of the highest frequency
 LOOKED_AT = 4  # speeds checked besides that of the deepest cut; of many, in the quicker upper half

@@ -12,10 +12,9 @@ from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
+from rotordyn.arrays import Array, Complex, Indices
+
 Solve = Callable[[Array], Complex]
 ROUNDS = 12  # of refinement
 MOST_SAMPLES = 4000
@@ -121,7 +120,7 @@ def _root(solve: Solve, angle: Array, low: complex, high: complex) -> Crossing:
     return Crossing(0.0, middle)  # two branches taken for one: neither crosses
 
 
-def _unresolved(angle: Array, z: Complex, best: Crossing, ends: Sequence[int]) -> NDArray[np.intp]:
+def _unresolved(angle: Array, z: Complex, best: Crossing, ends: Sequence[int]) -> Indices:
     """Return the intervals to halve: a branch turns back near the axis beyond the best crossing, or
     the count of unstable multipliers is uncertain, or contradicts the limit."""
     low, high = _pairs(z)

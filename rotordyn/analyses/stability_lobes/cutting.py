@@ -16,11 +16,10 @@ from functools import lru_cache
 from itertools import accumulate, chain, pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Flags
 from rotordyn.errors import InvalidInput
 
-Array = NDArray[np.float64]
 ROUNDED = 1e-3  # rad: a cut that ends this near to 0 or π ends there, as π may be given as 3.1416
 LEAST_PIECE = 1e-9  # of a turn of the pattern: a shorter piece of the cut is rounding
 LEAST = math.radians(0.999)  # least pitch
@@ -120,7 +119,7 @@ class Cut:
             and self.in_cut(np.array([0.5 * (low + high)]))[0]
         ]
 
-    def in_cut(self, angle: Array) -> NDArray[np.bool_]:
+    def in_cut(self, angle: Array) -> Flags:
         """Return whether some tooth cuts with the first one at ``angle`` (n,)."""
         return np.asarray(self.cutting(self.standing(angle)).any(axis=(0, 1)))
 
@@ -160,7 +159,7 @@ class Cut:
         matrix = np.array([[0.0, self.edges[0]], [0.0, self.edges[1]]])
         return np.asarray(matrix / gap[:, None, None, None])
 
-    def cutting(self, at: Array) -> NDArray[np.bool_]:
+    def cutting(self, at: Array) -> Flags:
         """Return whether some part of the edge of a tooth at ``at`` is in cut."""
         return np.asarray((at > self.entry) & (at - self.lag < self.exit))
 

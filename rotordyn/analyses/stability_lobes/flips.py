@@ -14,15 +14,13 @@ from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.stability_lobes.limits import Limits
 from rotordyn.analyses.stability_lobes.operation import Operation
 from rotordyn.analyses.stability_lobes.spec import ZERO_ORDER
 from rotordyn.analyses.stability_lobes.tip import Tip
+from rotordyn.arrays import Array, Flags
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 # offsets of waves from k + ½, in damping ratios: where the limit is least, there are fewer waves
 # along the normal in down-milling and more along the feed, the offset larger at small immersion
 BESIDE = np.arange(-6.0, 6.0 + 1e-9, 0.5)

@@ -19,14 +19,12 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.stability_lobes.bessel import modified_bessel
 from rotordyn.analyses.stability_lobes.modal import ModalTip
 from rotordyn.analyses.stability_lobes.spans import Spans, factors
+from rotordyn.arrays import Array, Complex
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 REMEMBERED = 2.5  # times the highest frequency: modes above it decay within a span of the cut
 STATIC = 8.0  # times the highest frequency: modes above it respond statically
 REAL = 1e-9  # of an eigenvalue: a smaller imaginary part is rounding

@@ -16,16 +16,14 @@ from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bearings.arguments import typed
 from rotordyn.analyses.stability_lobes.contact import Beyond, Contact
 from rotordyn.analyses.stability_lobes.cutting import Cut, checked
 from rotordyn.analyses.stability_lobes.forces import Forces
+from rotordyn.arrays import Array, Complex
 from rotordyn.errors import InvalidInput, NoSolution
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 Receptance = Callable[[Array], Complex]
 WALLS = {"up": (0.0, -1.0), "down": (math.pi, 1.0)}  # angle at which a tooth leaves it, and sign
 FINE = 8  # points of the shortest wave

@@ -17,9 +17,8 @@ from numpy.typing import NDArray
 
 from rotordyn.analyses.stability_lobes.chips import Chip, chips
 from rotordyn.analyses.stability_lobes.cutting import STRAIGHT, Cut
+from rotordyn.arrays import Array, Complex
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 # amplitudes of e^(imφ), m = −2 … 2
 TURNS = np.arange(-2, 3)
 SINE, COSINE = np.array([0, 0.5j, 0, -0.5j, 0]), np.array([0, 0.5, 0, 0.5, 0])

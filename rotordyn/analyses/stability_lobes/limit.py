@@ -7,7 +7,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bearings.arguments import typed
 from rotordyn.analyses.stability_lobes.as_modes import as_modes
@@ -26,10 +25,9 @@ from rotordyn.analyses.stability_lobes.sampling import (
 from rotordyn.analyses.stability_lobes.spans import Spans, refuse_waves
 from rotordyn.analyses.stability_lobes.spec import FLIP, FOLD, HOPF, METHODS, NONE
 from rotordyn.analyses.stability_lobes.zero_order import Mean, zero_order
+from rotordyn.arrays import Array, Complex
 from rotordyn.errors import InvalidInput
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 Receptance = Callable[[Array], Complex]
 SHALLOW = 0.05  # of the limit with straight edges: first depth tried with helical ones
 DEEPEST = 50.0  # times that limit: deeper limits count as infinite

@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.stability_lobes.limit import sampled_limit
 from rotordyn.analyses.stability_lobes.measured_tip import MeasuredTip
@@ -19,13 +18,11 @@ from rotordyn.analyses.stability_lobes.sampling import TURN, refuse_slow
 from rotordyn.analyses.stability_lobes.spec import FLIP, HOPF, NONE, WITHOUT_CUT, ZERO_ORDER
 from rotordyn.analyses.stability_lobes.tip import Tip
 from rotordyn.analyses.stability_lobes.zero_order import zero_order
+from rotordyn.arrays import Array, Complex, Flags, Indices
 from rotordyn.errors import InvalidInput
 from rotordyn.numerics.threads import each_in_threads
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Rows = NDArray[np.intp]
-Flags = NDArray[np.bool_]
+Rows = Indices
 MOST_SAMPLES = 4000  # at a speed, of costly receptances; splines interpolate between them
 AT_ONCE = 1_000_000  # samples of all speeds solved together
 PARTS = 20  # number of progress reports

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.on_measured import OnMeasured
 from rotordyn.analyses.stability_lobes.modal import (
@@ -18,12 +17,11 @@ from rotordyn.analyses.stability_lobes.modal import (
     of_residues,
 )
 from rotordyn.analyses.stability_lobes.tip_modes import TipModes
+from rotordyn.arrays import Array, Complex
 from rotordyn.errors import InvalidInput
 from rotordyn.numerics.rational import rational_poles
 from rotordyn.numerics.vector_fit import Fit, vector_fit
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 SAMPLES = 2000  # evenly over the band; further ones resolve the peaks of its poles
 NEAR = 1e-4  # of the largest receptance: tolerance of the rational function of first poles
 FURTHER, DAMPED = 20, 0.1  # modes added where the error is largest, and their damping ratio

@@ -8,12 +8,10 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.stability_lobes.workpiece_mode import WorkpieceMode
+from rotordyn.arrays import Array, Complex
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 RANK = 1e-10  # of a residue: a smaller second singular value is rounding
 # offsets from the frequency of a mode at which its peak is sampled, in its decay rate
 BESIDE_PEAK = np.array([-4.0, -2.0, -1.2, -0.7, -0.35, 0.0, 0.35, 0.7, 1.2, 2.0, 4.0])

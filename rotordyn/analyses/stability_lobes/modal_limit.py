@@ -9,7 +9,6 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.stability_lobes.cutting import Cut
 from rotordyn.analyses.stability_lobes.first_loss import first_loss
@@ -18,7 +17,6 @@ from rotordyn.analyses.stability_lobes.modal import ModalTip
 from rotordyn.analyses.stability_lobes.spans import SPARE, Spans, refuse_waves
 from rotordyn.analyses.stability_lobes.spec import FLIP, FOLD, HOPF, NONE
 
-Array = NDArray[np.float64]
 CERTAIN = 0.9  # of the depth at which a bound on the gain of the loop of force and motion is 1
 DEEPEST = 3000.0  # times that depth, if a tooth always cuts: deeper limits count as infinite
 DEEP = 0.1  # [m]: limits are searched to this depth at least, however soft the tip

@@ -14,12 +14,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.stability_lobes.spans import Spans, both_signs
+from rotordyn.arrays import Array, Complex
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 Receptance = Callable[[Array], Complex]
 AT_ONCE = 1_000_000  # of (n, p, p or harmonics)
 

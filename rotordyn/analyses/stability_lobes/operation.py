@@ -6,7 +6,6 @@ import math
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.stability_lobes.cutting import Cut, checked
 from rotordyn.analyses.stability_lobes.forced import Forced
@@ -14,8 +13,8 @@ from rotordyn.analyses.stability_lobes.forces import Forces
 from rotordyn.analyses.stability_lobes.modal_limit import Process
 from rotordyn.analyses.stability_lobes.spec import StabilityLobesSpec
 from rotordyn.analyses.stability_lobes.zero_order import Mean
+from rotordyn.arrays import Array
 
-Array = NDArray[np.float64]
 ONE_WAY, BOTH_WAYS = 0.5, 1.0  # of a force that follows one half-cycle of vibration, or both
 
 

@@ -8,14 +8,13 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.stability_lobes.limits import Limits
 from rotordyn.analyses.stability_lobes.operation import BOTH_WAYS, Operation
 from rotordyn.analyses.stability_lobes.spec import FLIP
 from rotordyn.analyses.stability_lobes.tip import Tip
+from rotordyn.arrays import Array, Complex, Indices
 
-Array = NDArray[np.float64]
 SURE = 1.1  # times the planned depth: a cut stable there without edge forces must be so with them
 HARMONICS = 6.0  # times the highest frequency that matters
 VALUES = {
@@ -32,7 +31,7 @@ VALUES = {
 
 
 def planned_cut(
-    limits: Limits, operation: Operation, depth: Array, speed: Array, place: NDArray[np.intp]
+    limits: Limits, operation: Operation, depth: Array, speed: Array, place: Indices
 ) -> dict[str, Any]:
     """Return fields of the result, by ``limits`` with their ``depth`` (s,), at ``place`` (s,) among
     all ``speed`` (n,); NaN where the cut is not stable, no speeds where none is planned.
@@ -91,7 +90,7 @@ def planned_cut(
     }
 
 
-def _least_damping(pole: NDArray[np.complex128], speed: Array) -> Array:
+def _least_damping(pole: Complex, speed: Array) -> Array:
     """Return the least damping ratio (s,) of the modes (s, k) that a multiple of ``speed`` (s,)
     meets up to the next speed, 0 where it meets none."""
     with np.errstate(invalid="ignore"):
@@ -103,6 +102,6 @@ def _least_damping(pole: NDArray[np.complex128], speed: Array) -> Array:
     return np.where(np.isfinite(ratio), ratio, 0.0)
 
 
-def _receptance(tip: Tip, omega: Array) -> NDArray[np.complex128]:
+def _receptance(tip: Tip, omega: Array) -> Complex:
     """Return the receptance (f, 2, 2) of a tip at one speed, at frequencies (f,) ≥ 0."""
     return np.asarray(tip.receptance(omega[None])[0])

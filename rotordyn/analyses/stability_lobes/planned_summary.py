@@ -7,9 +7,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from rotordyn.analyses.stability_lobes.result import REMOVAL, StabilityLobesResult, in_mm
+from rotordyn.arrays import Array, Flags
 from rotordyn.results.display import MICROMETRE, MILLIMETRE, RPM, number
 from rotordyn.results.headline import Number
-from rotordyn.results.kinds import Array, Flags
 from rotordyn.results.text import unbroken
 
 UNSETTLED, DEPARTED = 0.01, 0.25  # of a vibration: largest error, and change by moving contact

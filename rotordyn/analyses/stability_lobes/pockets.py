@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from rotordyn.arrays import Array, Indices
+
 MOST = 8  # pockets
 PROMINENT = 0.05  # of the deepest limit: least prominence of a pocket
 ENDLESS = 2.0  # times the deepest finite limit: stand-in for an infinite one
@@ -18,7 +18,7 @@ class Pockets(NamedTuple):
     """Pockets, the deepest first: ``place`` among the speeds; between ``low`` and ``high`` [rad/s]
     the limit is above ``KEPT`` of the depth."""
 
-    place: NDArray[np.intp]
+    place: Indices
     low: Array
     high: Array
 

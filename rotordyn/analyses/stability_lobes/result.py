@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Flags, Words
 from rotordyn.results.declaration import Absence, coordinate, quantity
 from rotordyn.results.display import MEGAPASCAL, MILLIMETRE, Shown, number
-from rotordyn.results.kinds import Array, Flags, Words
 
 REMOVAL = Shown("cm³/min", 60e6)
 

@@ -6,12 +6,10 @@ import math
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Complex
 from rotordyn.errors import InvalidInput
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 Receptance = Callable[[Array], Complex]
 LOWEST, HIGHEST = 2.0 * math.pi * 1.0, 2.0 * math.pi * 60e3  # rad/s
 FIRST = 1.01  # ratio of neighbours

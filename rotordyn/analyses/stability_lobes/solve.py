@@ -7,7 +7,6 @@ from dataclasses import replace
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.on_measured import OnMeasured
 from rotordyn.analyses.stability_lobes.bands import band
@@ -23,13 +22,12 @@ from rotordyn.analyses.stability_lobes.pockets import pockets
 from rotordyn.analyses.stability_lobes.result import StabilityLobesResult
 from rotordyn.analyses.stability_lobes.spec import NONE, StabilityLobesSpec
 from rotordyn.analyses.stability_lobes.tip import Tip
+from rotordyn.arrays import Array, Complex, Indices
 from rotordyn.equation.fineness import FINER
 from rotordyn.errors import InvalidInput
 from rotordyn.scene.scene import Scene
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Rows = NDArray[np.intp]
+Rows = Indices
 
 
 def solve(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:

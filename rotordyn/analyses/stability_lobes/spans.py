@@ -17,14 +17,12 @@ from itertools import accumulate, pairwise, product
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.stability_lobes.bessel import spherical_bessel
 from rotordyn.analyses.stability_lobes.cutting import Cut
+from rotordyn.arrays import Array, Complex, Indices
 from rotordyn.errors import InvalidInput
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 Receptance = Callable[[Array], Complex]
 _gauss = lru_cache(np.polynomial.legendre.leggauss)
 SPARE = 12  # polynomials: from waves just resolved to errors of rounding
@@ -99,7 +97,7 @@ class Spans:
         return sum(count for *_, count in self.each)
 
     @cached_property
-    def order(self) -> NDArray[np.intp]:
+    def order(self) -> Indices:
         """Orders (k,) of the harmonics that matter, symmetric about −1/2."""
         shortest = min(half for _, half, _ in self.each)
         highest = max(self.top * self.period, TAIL / shortest)

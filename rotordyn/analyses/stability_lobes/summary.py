@@ -14,6 +14,7 @@ from rotordyn.analyses.stability_lobes.result import (
     in_mm,
 )
 from rotordyn.analyses.stability_lobes.spec import FLIP, FOLD, WITHOUT_CUT
+from rotordyn.arrays import Array, Flags
 from rotordyn.results.described import Described
 from rotordyn.results.display import (
     MEGAPASCAL,
@@ -23,7 +24,6 @@ from rotordyn.results.display import (
     rounded_up,
 )
 from rotordyn.results.headline import Number
-from rotordyn.results.kinds import Array, Flags
 from rotordyn.results.text import unbroken
 
 MOST = 4  # pockets named

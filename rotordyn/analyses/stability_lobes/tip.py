@@ -14,7 +14,6 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.stability_lobes.modal import (
     RIGID,
@@ -25,7 +24,7 @@ from rotordyn.analyses.stability_lobes.modal import (
 )
 from rotordyn.analyses.stability_lobes.sampling import NEGLIGIBLE, STIFF
 from rotordyn.analyses.stability_lobes.tip_modes import TipModes
-from rotordyn.arrays import Indices
+from rotordyn.arrays import Array, Complex, Indices
 from rotordyn.equation.free_motion import FreeMotions, free_motions
 from rotordyn.errors import InvalidInput
 from rotordyn.numerics.modes import WELL_CONDITIONED
@@ -33,8 +32,6 @@ from rotordyn.results.display import RPM
 from rotordyn.scene.scene import Scene
 from rotordyn.scene.stability import fastest_growth
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 UNDAMPED = 1e-9  # damping ratio below which a pole counts as undamped
 HIGH = 0.25  # of the highest peak: least height of high peaks
 BEYOND = 1.5  # times the highest mode that matters

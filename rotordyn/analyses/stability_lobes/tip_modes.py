@@ -5,12 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.stability_lobes.modal import ModalTip
+from rotordyn.arrays import Array, Complex, Indices
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 FAR = 3.0  # times the highest frequency: modes beyond are a power series in frequency
 AT_ONCE = 30_000  # products of frequencies and modes: larger arrays leave the cache
 TERMS = 12  # of that series, whose remainder is 3^−12 of a mode
@@ -47,7 +45,7 @@ class TipModes:
         parts = self.pole[row, kept], self.shape[row, kept], self.participation[row, kept]
         return ModalTip(*parts) if self.constant is None else ModalTip(*parts, self.constant[row])
 
-    def of(self, rows: NDArray[np.intp], top: float, directions: int = 2) -> TipSums:
+    def of(self, rows: Indices, top: float, directions: int = 2) -> TipSums:
         """Return sums of modes at some of the speeds, for frequencies up to ``top`` [rad/s]; motion
         in feed and normal, or in the feed alone, by forces in both."""
         pole = self.pole[rows]

@@ -6,17 +6,14 @@ import math
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bearings.arguments import typed
 from rotordyn.analyses.stability_lobes.modal_limit import Limit
 from rotordyn.analyses.stability_lobes.sampling import along, resolving, shaped
 from rotordyn.analyses.stability_lobes.spec import HOPF, NONE
 from rotordyn.analyses.stability_lobes.zero_order import Mean, zero_order
+from rotordyn.arrays import Array, Complex
 from rotordyn.errors import InvalidInput
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 
 @typed(InvalidInput, besides=("receptance",))

@@ -16,10 +16,9 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
+from rotordyn.arrays import Array, Complex
+
 Rows = Callable[[Array], Complex]
 CANDIDATES = 4  # crossings of a speed refined at a time, in order of their bounds
 BULGE = 0.1  # of the chord between two samples: an arc of the phase between them bulges by 0.025

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from rotordyn.arrays import Array, Words
 from rotordyn.results.declaration import coordinate, quantity
 from rotordyn.results.display import MILLIMETRE, Shown
-from rotordyn.results.kinds import Array, Words
 
 MICRORADIAN = Shown("µrad", 1e6)
 

@@ -5,16 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.static_sag.result import MICRORADIAN, StaticSagResult
+from rotordyn.arrays import Array
 from rotordyn.results.described import Described
 from rotordyn.results.display import MICROMETRE, RPM, number
 from rotordyn.results.headline import Number, each_speed
 from rotordyn.results.text import unbroken
 from rotordyn.scene.linearity import not_small
-
-Array = NDArray[np.float64]
 
 
 def summary(result: StaticSagResult) -> list[str]:

@@ -7,10 +7,10 @@ from collections.abc import Iterator
 import numpy as np
 
 from rotordyn.analyses.thermal_preload.result import ThermalPreloadResult
+from rotordyn.arrays import Array
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM
 from rotordyn.results.headline import Number, each_speed
-from rotordyn.results.kinds import Array
 from rotordyn.results.text import unbroken
 
 

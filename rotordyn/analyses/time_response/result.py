@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from rotordyn.arrays import Array, Words
 from rotordyn.results.declaration import Absence, coordinate, quantity
 from rotordyn.results.display import Shown
-from rotordyn.results.kinds import Array, Words
 
 MILLISECOND = Shown("ms", 1e3)
 OPEN = Absence("of a sleeve without a stop, or whose stop stays closed", by=("speed", "sleeve"))

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Complex, Flags, Words
 from rotordyn.results.declaration import Absence, coordinate, quantity
 from rotordyn.results.display import GRAM_MILLIMETRE, MILLIMETRE, PER_SECOND
-from rotordyn.results.kinds import Array, Complex, Flags, Words
 from rotordyn.scene.linearity import LINEAR
 
 NO_RUN = Absence("of a run without a solution", by=("run",))

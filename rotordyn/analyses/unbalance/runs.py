@@ -14,7 +14,7 @@ from rotordyn.analyses.unbalance.orbit import orbit
 from rotordyn.analyses.unbalance.run_up import Parts, Run, blended
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec, run_name
 from rotordyn.analyses.unbalance.steady import AXES, displacement_rows, load_of, out_of_balance
-from rotordyn.arrays import Array, Complex, Matrix
+from rotordyn.arrays import Array, Complex, Indices, Matrix
 from rotordyn.equation.constraint import along
 from rotordyn.equation.dofs import position
 from rotordyn.equation.linear import Linear
@@ -213,7 +213,7 @@ class _SpeedRange:
             raise NoSolution(f"the motion {how} {FAR * 1e3:g} mm, from {rpm:.0f} rpm on")
         return half, moved[:, 2 * pairs :].reshape(len(moved), -1, len(RING))
 
-    def _parts(self, k: int, middles: NDArray[np.intp], edges: Array) -> Parts:
+    def _parts(self, k: int, middles: Indices, edges: Array) -> Parts:
         """Return parts of a subsystem between ``edges`` with the modes of ``middles``. A rotor that
         turns against the spindle moves as the conjugate of one that turns with it."""
         arrays, _, force, direct = self.solved[k]
@@ -227,7 +227,7 @@ class _SpeedRange:
             edges, middle, pole, vector, left, *matrices, force, begin, rows, rates, direct
         )
 
-    def _solve(self, place: NDArray[np.intp]) -> None:
+    def _solve(self, place: Indices) -> None:
         """Solve the machine at some of the speeds."""
         new = np.sort(place[~self.known[place]])
         if not new.size:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.unbalance.result import RUNAWAY, UnbalanceResult
+from rotordyn.arrays import Array
 from rotordyn.numerics.crossing import above_zero
 from rotordyn.results.described import Described
 from rotordyn.results.display import GRAM_MILLIMETRE, MICROMETRE, RPM, number, rounded_up
@@ -17,7 +17,6 @@ from rotordyn.scene.hardly_damped import LIGHT, hardly_damped
 from rotordyn.scene.linearity import tangent_warnings
 from rotordyn.scene.stability import how_it_grows
 
-Array = NDArray[np.float64]
 SAME = 1e-6  # of a speed: tolerance of equal speeds
 BESIDE = 1e-4  # of a speed: a peak nearer to a critical speed is the peak of that one
 WIDER = 1.2  # times the orbit that a film is computed for: wider ones are reported

@@ -7,11 +7,11 @@ from collections.abc import Iterator
 import numpy as np
 
 from rotordyn.analyses.warm_up.result import ENOUGH, WarmUpResult
+from rotordyn.arrays import Array
 from rotordyn.preload.ring_stress import YIELD
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM
 from rotordyn.results.headline import Number, each_speed
-from rotordyn.results.kinds import Array
 from rotordyn.results.text import unbroken
 
 OVERSHOOT = 1.2  # times the load at the end: a larger maximum is reported

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from rotordyn.arrays import Array
 from rotordyn.job.results import Part
 from rotordyn.job.values import named_curves, shown_of
 from rotordyn.page.blocks import Block, Chart, Control, Markup, Table, Text
@@ -15,7 +16,6 @@ from rotordyn.page.looks import COLOURS, FAINT, axis, colour, line, logarithmic,
 from rotordyn.report.interval import interval_doubts, interval_over, interval_ranges
 from rotordyn.results.headline import FAR, Curve
 from rotordyn.results.interval import OVER_HYPOTHESES, OVER_TOLERANCES, Interval, short_path
-from rotordyn.results.kinds import Array
 
 MOST, BARS = 24, 10  # numbers to choose from, sources of each
 FEW = 4  # curves of a small chart

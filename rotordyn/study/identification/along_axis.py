@@ -8,8 +8,8 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Indices
 from rotordyn.case.case import Case
 from rotordyn.case.identification import BRANCHES
 from rotordyn.errors import InvalidInput, NoSolution
@@ -20,7 +20,6 @@ from rotordyn.study.identification.joined_speeds import joined
 from rotordyn.study.identification.measurement import Data
 from rotordyn.study.identification.trial import Trial
 
-Array = NDArray[np.float64]
 SHAFT = "shaft"
 RPM = np.pi / 30.0
 DRAWN = 61  # forces of a branch in figures
@@ -156,7 +155,7 @@ class AxialCurve(Axial):
     def _place(self, k: int) -> str:
         return f" ({self.places[k]})" if self.places else ""
 
-    def _curves(self) -> Iterator[tuple[float, str, NDArray[np.intp]]]:
+    def _curves(self) -> Iterator[tuple[float, str, Indices]]:
         for speed in sorted(set(self.speed.tolist())):
             for branch in BRANCHES:
                 rows = np.flatnonzero((self.speed == speed) & (np.array(self.branch) == branch))
@@ -274,7 +273,7 @@ class AxialCurve(Axial):
         return displacements
 
 
-def _along_curve(force: Array, displacement: Array, count: int) -> NDArray[np.intp]:
+def _along_curve(force: Array, displacement: Array, count: int) -> Indices:
     """Indices of ``count`` points at equal arc lengths along a curve, its ends included.
 
     Force and displacement are scaled by their ranges (D. Noël, doctoral thesis, 2013, III.1.3.1).

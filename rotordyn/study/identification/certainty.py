@@ -15,14 +15,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Flags
 from rotordyn.study.identification.problem import Problem
 from rotordyn.study.identification.search import Fit
 from rotordyn.study.identification.unknown import Sought
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 COVERED = 0.95
 BINDING = 1e-3  # distance from a bound over the range, up to which an unknown is on the bound
 VAGUE = 0.5  # deviation over that known before, above which an unknown is unidentifiable

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.errors import InvalidInput
 from rotordyn.study.identification.certainty import Certainty
 from rotordyn.study.identification.measurement import Measurement
@@ -15,7 +15,6 @@ from rotordyn.study.identification.problem import Problem
 from rotordyn.study.optimum.criterion import amount
 from rotordyn.units import parse_unit
 
-Array = NDArray[np.float64]
 UNLIKELY = 1e-3  # probability of residuals as large by noise, below which a model is rejected
 LEAST = 1e-12  # least probability printed
 

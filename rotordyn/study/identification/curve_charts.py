@@ -7,9 +7,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from rotordyn.arrays import Array
 from rotordyn.page.blocks import Block, Chart, Control, Table
 from rotordyn.page.looks import COLOURS, FAINT, axis, colour, line, logarithmic, mark
-from rotordyn.results.kinds import Array
 from rotordyn.study.columns import Column
 from rotordyn.study.identification.measurement import FEW
 from rotordyn.study.identification.responses import PARTS

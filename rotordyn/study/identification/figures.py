@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Indices
 from rotordyn.case.identification import BRANCHES
 from rotordyn.figures.legends import shortened, top_legend
 from rotordyn.figures.style import (
@@ -36,7 +37,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
 ROW, COLUMNS = 58.0, 2  # mm
 NAMES = 30.0  # mm, of single values
 MOST_MODELS = 16
@@ -94,7 +94,7 @@ def _measured(result: Identification) -> Figure:
     return head(figure, f"{_titled(result)}: tare and drift taken off, lines the machine")
 
 
-def _series(data: Data) -> Iterator[tuple[str, str, NDArray[np.intp], dict[str, Any]]]:
+def _series(data: Data) -> Iterator[tuple[str, str, Indices, dict[str, Any]]]:
     """Yield speed and branch of every curve of a measurement, its rows, and its marker style."""
     words = list(dict.fromkeys(data.series))
     speeds = list(dict.fromkeys(word.partition(", ")[0] for word in words))

@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bearings.arguments import typed
+from rotordyn.arrays import Array
 from rotordyn.case.case import Case
 from rotordyn.case.varied import found_at
 from rotordyn.description import quantity_of
@@ -39,7 +39,6 @@ from rotordyn.study.identification.searches import Search
 if TYPE_CHECKING:
     import xarray as xr
 
-Array = NDArray[np.float64]
 SURVIVES = 6.0  # difference of BIC up to which a model is not ruled out
 INSUFFICIENT = "insufficient"
 UNDECIDED = "undecidable"

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.errors import InvalidInput
 
-Array = NDArray[np.float64]
 RPM = np.pi / 30.0
 ALIKE, REST = 0.01, RPM  # distance up to which speeds are one: relative, or about rest
 

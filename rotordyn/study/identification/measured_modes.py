@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Complex, Indices
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.numerics.threads import linear_algebra_alone
@@ -18,8 +18,6 @@ from rotordyn.study.identification.measurement import AsksNothing, Data
 from rotordyn.study.identification.paired_modes import FAR, SWINGS, assigned
 from rotordyn.study.identification.trial import Trial, require_all_speeds
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 WHIRLS = {"forward": 1.0, "backward": -1.0, "": 0.0}
 BEYOND = 1.5  # highest computed frequency over the highest measured one
 OTHER = 1.0  # cost of a mode of the opposite whirl, that of a frequency ``FAR`` off
@@ -109,7 +107,7 @@ class Modes(AsksNothing):
                 decay[rows] = -pole.real / (2.0 * np.pi)
         return frequency if self.damping is None else np.concatenate([frequency, decay])
 
-    def _paired(self, measured: NDArray[np.intp], pole: Complex, whirl: Array) -> Complex:
+    def _paired(self, measured: Indices, pole: Complex, whirl: Array) -> Complex:
         """Poles of the computed modes assigned to measured modes ``measured`` (n,)."""
         distance = np.abs(np.log(2.0 * np.pi * self.frequency[measured, None] / np.abs(pole)))
         cost = distance / FAR

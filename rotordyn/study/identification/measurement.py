@@ -32,13 +32,12 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
 from rotordyn.study.identification.trial import Trial
 
-Array = NDArray[np.float64]
 FEW = 4  # points of a measurement from which it is drawn as a curve
 
 

@@ -8,9 +8,9 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.registry import analysis
+from rotordyn.arrays import Array
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
 from rotordyn.field import shown
@@ -20,7 +20,6 @@ from rotordyn.study.identification.trial import Trial
 from rotordyn.study.optimum.criterion import Criterion, variables
 from rotordyn.units import parse_unit, pretty_unit
 
-Array = NDArray[np.float64]
 RPM = np.pi / 30.0
 ALIKE = 1e-8  # relative difference up to which speeds are equal
 

@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.study.identification.certainty import Certainty
 from rotordyn.study.identification.measurement import Measurement
 
-Array = NDArray[np.float64]
 FAR = 5.0  # robust standard deviations from which a point is an outlier
 MOST = 4  # outliers that are named
 

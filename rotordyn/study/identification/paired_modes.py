@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array, Complex
 from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.results.display import RPM
 from rotordyn.study.identification.measurement import Beside
@@ -23,8 +23,6 @@ from rotordyn.study.identification.trial import Trial
 if TYPE_CHECKING:
     from rotordyn.study.identification.responses import Responses
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 FAR = 0.2  # ln of the frequency ratio that costs as much as a MAC of 0
 ALONE = 1.5  # cost of a mode without a partner, that of a pair of MAC 1 with 35 % in frequency
 SWINGS = 1e-3  # Im λ over |λ| above which a pole oscillates

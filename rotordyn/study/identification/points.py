@@ -8,14 +8,13 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.errors import InvalidInput
 from rotordyn.field import shown
 from rotordyn.quantity import Quantity
 from rotordyn.units import KINDS, parse_unit
 
-Array = NDArray[np.float64]
 HEAD = re.compile(r"\s*([\w ]+?)\s*(?:\[([^\]]*)\])?\s*")
 
 

@@ -11,10 +11,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bearings.errors import BearingError
 from rotordyn.analyses.registry import analysis
+from rotordyn.arrays import Array
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.field import shown
@@ -24,7 +24,6 @@ from rotordyn.study.identification.trial import Known
 from rotordyn.study.identification.unknown import FLAT
 from rotordyn.study.optimum.criterion import Criterion, amount
 
-Array = NDArray[np.float64]
 FOLLOWS = 0.05  # effect of an unknown on a bound, over half the interval, that is neglected
 ROUNDING = 1e-6  # relative change of a number that is neglected
 

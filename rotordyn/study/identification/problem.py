@@ -7,9 +7,9 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bearings.errors import BearingError
+from rotordyn.arrays import Array
 from rotordyn.case.case import Case
 from rotordyn.case.vary import vary
 from rotordyn.errors import InvalidInput, NoSolution
@@ -18,7 +18,6 @@ from rotordyn.study.identification.trial import Known, Trial
 from rotordyn.study.identification.unknown import Sought
 from rotordyn.study.identification.weighing import Weighing
 
-Array = NDArray[np.float64]
 STEP = 5e-3  # of finite differences, over the scale of an unknown
 ALIKE = 1e-9  # relative difference up to which speeds are equal
 

@@ -16,8 +16,8 @@ from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.case.identification import ALL
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.field import shown
@@ -29,7 +29,6 @@ from rotordyn.study.identification.trial import Known
 from rotordyn.study.identification.unknown import Sought
 from rotordyn.study.workers import solved_here
 
-Array = NDArray[np.float64]
 STEP = 0.3  # increase of √Δχ² per step, over its threshold
 FURTHER = 3.0  # largest ratio of a step to the previous one
 JUMP = 0.6  # increase of √Δχ² at the threshold above which a value in between is solved

@@ -7,8 +7,8 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Indices
 from rotordyn.figures.amplitudes import log_axis
 from rotordyn.figures.legends import shortened, top_legend
 from rotordyn.figures.style import (
@@ -30,7 +30,6 @@ if TYPE_CHECKING:
 
     from rotordyn.study.identification.identification import Identification
 
-Array = NDArray[np.float64]
 COLUMNS, ROW, MOST = 2, 50.0, 12  # mm; panels of a figure
 DEEP = 1e-4  # lowest end of an axis over the highest value
 
@@ -91,7 +90,7 @@ def _response(axes: Axes, result: Identification, place: int, k: int) -> None:
     axes.set_ylabel(f"|H| [{data.unit}]", fontsize=FONT_SIZE - 1.0)
 
 
-def _parts(of: Responses, k: int) -> NDArray[np.intp]:
+def _parts(of: Responses, k: int) -> Indices:
     """Indices of the real and imaginary parts of response ``k`` in the data (2, f)."""
     sizes = [2 * int(of.compared(one).sum()) for one in of.responses]
     first = sum(sizes[:k])

@@ -18,10 +18,10 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.measured_response import QUANTITIES, MeasuredResponse, Port, as_quantity
 from rotordyn.analyses.passivity import NO_DRIVING_POINT, fault_at_driving_point
+from rotordyn.arrays import Array, Complex, Flags
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.assembly import unknown
@@ -35,9 +35,6 @@ from rotordyn.study.identification.measurement import AsksNothing, Beside, Data
 from rotordyn.study.identification.paired_modes import beside
 from rotordyn.study.identification.trial import Trial, require_all_speeds
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Flags = NDArray[np.bool_]
 PARTS = ("real", "imaginary")  # of a response, in this order
 BLURS = (0.3, 0.05)  # b, in turn: about the distance of modes, then of pairs of modes
 POINTS = 40  # frequencies of blurred responses

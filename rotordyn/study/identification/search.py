@@ -10,13 +10,12 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.errors import NoSolution
 from rotordyn.study.identification.problem import Problem
 from rotordyn.study.latin_hypercube import latin_hypercube
 
-Array = NDArray[np.float64]
 FAR = 1e4  # weighed difference in every row of a machine without a solution
 SMALL = 1e-7  # relative change of the cost, or of the unknowns, that ends a search
 MOST = 60  # machines of one search, without those of Jacobians

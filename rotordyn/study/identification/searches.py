@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.errors import NoSolution
 from rotordyn.study import record
@@ -22,7 +21,6 @@ from rotordyn.study.identification.search import Fit, begin_at, search, search_a
 from rotordyn.study.identification.trial import Known
 from rotordyn.study.workers import solved_here
 
-Array = NDArray[np.float64]
 JOURNAL = "searches.jsonl"
 Progress = Callable[[int, int], None]
 

@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bearings.arguments import typed
 from bearings.errors import BearingError
@@ -34,8 +33,6 @@ from rotordyn.study.identification.searches import Progress, Search, Searches, b
 from rotordyn.study.identification.trial import Known
 from rotordyn.study.identification.unknown import Unknown, sought
 from rotordyn.study.parameter import is_whole
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

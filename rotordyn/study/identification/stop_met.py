@@ -6,14 +6,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.case.case import Case
 from rotordyn.study.identification.along_axis import RPM, Axial, row_at
 from rotordyn.study.identification.measurement import Data
 from rotordyn.study.identification.trial import Trial
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

@@ -9,16 +9,14 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.case.case import Case
 from rotordyn.errors import NoSolution
 from rotordyn.preload.axial_curves import BearingCurves
 from rotordyn.preload.play import AxialRunUp, axial_run_up
 from rotordyn.scene.scene import Scene
 from rotordyn.study.neighbours import Neighbours
-
-Array = NDArray[np.float64]
 
 
 @dataclass

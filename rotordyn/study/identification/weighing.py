@@ -11,11 +11,10 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rotordyn.arrays import Array
 from rotordyn.study.identification.measurement import Data
 
-Array = NDArray[np.float64]
 ROUNDS, SAME = 100, 1e-4  # reweightings at most; change of differences over noise that ends them
 FLOOR = 0.05  # difference over noise below which the weight grows no further
 

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from rotordyn.analyses.registry import analysis
+from rotordyn.arrays import Array
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
 from rotordyn.field import shown
@@ -20,7 +21,6 @@ from rotordyn.results.declaration import declared
 from rotordyn.results.display import Shown
 from rotordyn.results.display import shown as printed_unit
 from rotordyn.results.headline import Number
-from rotordyn.results.kinds import Array
 from rotordyn.units import in_unit, parse_unit
 
 ALIKE = 1e-9  # relative difference up to which coordinates are equal

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from rotordyn.arrays import Array, Flags
 from rotordyn.figures.labels import broken
 from rotordyn.figures.legends import shortened
 from rotordyn.figures.style import (
@@ -20,7 +21,6 @@ from rotordyn.figures.style import (
     head,
     new_figure,
 )
-from rotordyn.results.kinds import Array, Flags
 from rotordyn.study.figures import abscissa, word_ticks
 from rotordyn.study.optimum.problem import Trial
 from rotordyn.study.optimum.solve import Optimum

@@ -13,13 +13,13 @@ from typing import Any
 import numpy as np
 
 from bearings.errors import BearingError
+from rotordyn.arrays import Array, Flags
 from rotordyn.case.case import Case
 from rotordyn.case.varied import found_at
 from rotordyn.case.vary import changed
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.job.solving import unsolved
 from rotordyn.report.warnings import result_warnings
-from rotordyn.results.kinds import Array, Flags
 from rotordyn.study.neighbours import Neighbours
 from rotordyn.study.optimum.goals import LARGEST, Goal, Limit
 from rotordyn.study.parameter import Parameter

@@ -18,7 +18,7 @@ from typing import Any
 
 import numpy as np
 
-from rotordyn.results.kinds import Array
+from rotordyn.arrays import Array
 from rotordyn.study.latin_hypercube import latin_hypercube
 from rotordyn.study.optimum.problem import Place, Problem, Trial
 from rotordyn.study.optimum.trials import Spent, Trials

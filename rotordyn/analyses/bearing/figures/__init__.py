@@ -11,12 +11,12 @@ import numpy as np
 from rotordyn.analyses.bearing.result import along_load, longest, motion
 from rotordyn.analyses.bearing.solve import under
 from rotordyn.analyses.contract import Code
+from rotordyn.arrays import Array
 from rotordyn.figures.draw import Job
 from rotordyn.figures.labels import axis_label
 from rotordyn.results.described import Described, Shown
 from rotordyn.results.display import GIGAPASCAL, RPM, STIFFNESS
 from rotordyn.results.headline import Curve
-from rotordyn.results.kinds import Array
 
 code = partial(Code, __name__)
 

@@ -15,6 +15,7 @@ from rotordyn.analyses.bearing.figures.groove_ends import (
 )
 from rotordyn.analyses.bearing.result import BearingMapResult, along_load
 from rotordyn.analyses.bearing.solve import mounted_under
+from rotordyn.arrays import Array
 from rotordyn.figures.curves import draw_runs
 from rotordyn.figures.labels import axis_label
 from rotordyn.figures.legends import legend, top_legend
@@ -39,7 +40,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
 MOST_CURVES = 3  # of one contact
 COUNTED = (GREY, SKY, BLACK, PURPLE, "#7A8B2F")  # by number of contacts
 WIDTHS = {"i": 2.0, "o": 1.0}  # thin outer contacts remain visible on the inner ones

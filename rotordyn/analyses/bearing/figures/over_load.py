@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.bearing.result import BearingMapResult, along_load, longest, motion
 from rotordyn.analyses.bearing.solve import mounted_under
+from rotordyn.arrays import Array
 from rotordyn.figures.amplitudes import log_axis
 from rotordyn.figures.curves import draw_runs
 from rotordyn.figures.labels import axis_label
@@ -149,9 +149,7 @@ def _beside_limit(names: Sequence[str], result: BearingMapResult) -> tuple[Figur
     return figure, axes
 
 
-def _entry(
-    result: BearingMapResult, stiffness: NDArray[np.float64], dof: str
-) -> NDArray[np.float64]:
+def _entry(result: BearingMapResult, stiffness: Array, dof: str) -> Array:
     at = result.dof.index(dof)
     return np.asarray(stiffness[:, :, 0, at, result.dof_other.index(dof)])
 
@@ -159,7 +157,7 @@ def _entry(
 def _curves(
     axes: Axes,
     result: BearingMapResult,
-    values: NDArray[np.float64],
+    values: Array,
     *,
     of_ball: bool = False,
     dash: int = 0,

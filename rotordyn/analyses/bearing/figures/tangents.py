@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.bearing.result import BearingMapResult
 from rotordyn.analyses.bearing.solve import mounted_under, tangent_error
+from rotordyn.arrays import Array
 from rotordyn.figures.labels import axis_label
 from rotordyn.figures.legends import legend, top_legend
 from rotordyn.figures.style import (
@@ -31,7 +31,6 @@ if TYPE_CHECKING:
     from matplotlib.contour import ContourSet
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
 PERCENT = 100.0
 DOFS = {"x": "Kxx", "y": "Kyy"}
 LEAST_LOADS = 5  # for a map

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rotordyn.analyses.bearing_loads.result import BearingLoadsResult
+from rotordyn.arrays import Array
 from rotordyn.figures.style import (
     FONT_SIZE,
     add_axes,
@@ -16,7 +17,6 @@ from rotordyn.figures.style import (
     new_figure,
 )
 from rotordyn.results.display import RPM
-from rotordyn.results.kinds import Array
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

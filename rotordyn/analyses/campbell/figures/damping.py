@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rotordyn.analyses.campbell.result import CampbellResult
+from rotordyn.arrays import Array
 from rotordyn.figures.legends import top_legend
 from rotordyn.figures.style import (
     BLACK,
@@ -23,7 +24,6 @@ from rotordyn.figures.style import (
 from rotordyn.results.described import Shown
 from rotordyn.results.display import RPM
 from rotordyn.results.headline import broken
-from rotordyn.results.kinds import Array
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rotordyn.analyses.campbell.result import CampbellResult
+from rotordyn.arrays import Array
 from rotordyn.figures.style import FONT_SIZE, GREY
 from rotordyn.results.display import RPM
 from rotordyn.results.frames import turning
-from rotordyn.results.kinds import Array
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -10,6 +10,7 @@ import numpy as np
 
 from rotordyn.analyses.campbell.figures.defects import draw_passing
 from rotordyn.analyses.campbell.result import CampbellResult
+from rotordyn.arrays import Array
 from rotordyn.figures.labels import axis_label, spread
 from rotordyn.figures.legends import top_legend
 from rotordyn.figures.mode_lines import LOOKS, draw_known, draw_modes, draw_stops, look_of
@@ -27,7 +28,6 @@ from rotordyn.modes.excitation import exciting
 from rotordyn.results.described import Shown
 from rotordyn.results.display import RPM, number
 from rotordyn.results.frames import turning
-from rotordyn.results.kinds import Array
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

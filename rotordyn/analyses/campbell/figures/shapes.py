@@ -7,9 +7,9 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.campbell.result import CampbellResult
+from rotordyn.arrays import Array, Complex
 from rotordyn.figures.legends import top_legend
 from rotordyn.figures.sketch import Sketch
 from rotordyn.figures.style import (
@@ -82,7 +82,7 @@ def shapes_figure(result: CampbellResult, spindle: Spindle | None = None) -> Fig
     return head(figure, title)
 
 
-def plane_curve(shape: NDArray[np.complex128]) -> NDArray[np.float64]:
+def plane_curve(shape: Complex) -> Array:
     """Return the deflected line at the instant of largest motion, shape (node,), for (node, DOF).
 
     The DOF that moves most is shown; its largest displacement is positive. NaN where
@@ -140,7 +140,7 @@ def _panel(axes: Axes, result: CampbellResult, mode: int, spindle: Spindle | Non
 
 def _lines(
     result: CampbellResult, mode: int, speed: int, columns: list[int], spindle: Spindle | None
-) -> list[tuple[NDArray[np.float64], NDArray[np.float64]]]:
+) -> list[tuple[Array, Array]]:
     """Return stations [mm] and deflected line of every rotor, all at one instant and scale."""
     motions = [_motion(result, mode, speed, rotor, spindle) for rotor in result.rotor]
     curve = plane_curve(np.concatenate([motion for _, motion in motions])[:, columns])
@@ -150,7 +150,7 @@ def _lines(
 
 def _motion(
     result: CampbellResult, mode: int, speed: int, rotor: str, spindle: Spindle | None
-) -> tuple[NDArray[np.float64], NDArray[np.complex128]]:
+) -> tuple[Array, Complex]:
     """Return stations [m] of a rotor, nodes and some between, and displacements (stations, 6)."""
     on_rotor = np.array([name == rotor for name in result.node_rotor])
     node, shape = result.node[on_rotor], result.shape[speed, mode][on_rotor]

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from rotordyn.arrays import Array
 
 
 def peak_bins(values: Array, coordinate: Array, edges: Array) -> Array:

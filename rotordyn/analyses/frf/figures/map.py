@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from rotordyn.analyses.frf.figures.decimate import nearest, peak_bins
 from rotordyn.analyses.frf.result import FrequencyResponse
+from rotordyn.arrays import Array
 from rotordyn.figures.labels import axis_label
 from rotordyn.figures.mode_lines import LEAST_SPEEDS, Modes, draw_known, draw_modes
 from rotordyn.figures.style import (
@@ -61,12 +62,12 @@ def map_figure(
     return figure
 
 
-def amplitude(result: FrequencyResponse, pair: int) -> NDArray[np.float64]:
+def amplitude(result: FrequencyResponse, pair: int) -> Array:
     """|H| of a pair in printed units, shape (speed, frequency)."""
     return np.abs(result.response[:, pair]) * shown(result.unit(pair)).factor
 
 
-def amplitude_range(values: NDArray[np.float64]) -> tuple[float, float]:
+def amplitude_range(values: Array) -> tuple[float, float]:
     """Limits of colour or height: the 0.5 % quantile, at most four decades below the largest value,
     and that value."""
     drawable = values[np.isfinite(values) & (values > 0.0)]
@@ -136,7 +137,7 @@ def draw_map(
     return image
 
 
-def _coloured(values: NDArray[np.float64], low: float, high: float) -> NDArray[np.uint8]:
+def _coloured(values: Array, low: float, high: float) -> NDArray[np.uint8]:
     """Map values between ``low`` and ``high`` to colours (n, m, 4) here: matplotlib would resample
     the values instead, many times as large on paper."""
     from matplotlib import colormaps
@@ -146,11 +147,11 @@ def _coloured(values: NDArray[np.float64], low: float, high: float) -> NDArray[n
 
 
 def with_peaks(
-    values: NDArray[np.float64],
+    values: Array,
     result: FrequencyResponse,
     pair: int,
-    edges: NDArray[np.float64],
-) -> NDArray[np.float64]:
+    edges: Array,
+) -> Array:
     """Amplitudes (speeds, bins) between ``edges`` [Hz] with every peak in its bin."""
     speed, place = np.nonzero(np.isfinite(result.peak_frequency[:, pair]))
     at = np.searchsorted(edges, result.peak_frequency[speed, pair, place], side="right") - 1

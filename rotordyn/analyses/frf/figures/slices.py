@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.frf.result import FrequencyResponse
+from rotordyn.arrays import Array, Complex
 from rotordyn.figures.amplitudes import log_axis, phase_axis, wrapped_phase
 from rotordyn.figures.labels import axis_label
 from rotordyn.figures.legends import top_legend
@@ -30,7 +30,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
 ROUNDING = 1e-12  # of the largest amplitude
 LINEAR, PALE_GREY = "linear scale, logarithmic beyond", "#E4E4E4"
 SHARP = 300.0  # times the median: a linear axis shows nothing beside a higher peak
@@ -161,7 +160,7 @@ def nearest_slice(result: FrequencyResponse, speed: float) -> int:
     return int(slices[np.abs(result.speed[slices] - speed).argmin()])
 
 
-def _part(values: NDArray[np.complex128], part: str) -> Array:
+def _part(values: Complex, part: str) -> Array:
     """The named part of complex values; a phase [deg] is broken where it wraps."""
     if part == "amplitude":
         return np.abs(values)

@@ -11,11 +11,11 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.frf.figures.decimate import peak_bins
 from rotordyn.analyses.frf.figures.map import COLOURS, amplitude, amplitude_range, with_peaks
 from rotordyn.analyses.frf.result import FrequencyResponse
+from rotordyn.arrays import Array
 from rotordyn.figures.labels import axis_label
 from rotordyn.figures.legends import shortened
 from rotordyn.figures.mode_lines import KNOWN
@@ -28,7 +28,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
 Limits = tuple[float, float]
 Corners = list[tuple[float, float, float]]
 STRIPS, STEPS = 60, 260

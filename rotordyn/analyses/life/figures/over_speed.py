@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.life.result import HOUR, LifeResult
+from rotordyn.arrays import Array
 from rotordyn.figures.amplitudes import log_axis
 from rotordyn.figures.curves import merged
 from rotordyn.figures.legends import top_legend
@@ -25,8 +25,6 @@ from rotordyn.results.display import GIGAPASCAL, RPM
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-
-Array = NDArray[np.float64]
 
 
 def life_figure(result: LifeResult) -> Figure:

@@ -9,6 +9,7 @@ import numpy as np
 
 from rotordyn.analyses.preload.known import preload_sum, sum_words
 from rotordyn.analyses.preload.result import PreloadResult
+from rotordyn.arrays import Array
 from rotordyn.figures.curves import draw_columns, draw_references, merged
 from rotordyn.figures.legends import legend, top_legend
 from rotordyn.figures.over_speed import four_over_speed
@@ -26,7 +27,6 @@ from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
 from rotordyn.results.display import DEGREE, GIGAPASCAL, MICROMETRE, RPM
 from rotordyn.results.headline import LEAST_POINTS
-from rotordyn.results.kinds import Array
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

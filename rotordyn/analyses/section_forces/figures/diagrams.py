@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.section_forces.result import SectionForcesResult
+from rotordyn.arrays import Array
 from rotordyn.figures import stations
 from rotordyn.figures.labels import axis_label
 from rotordyn.figures.legends import shortened, top_legend
@@ -57,11 +57,11 @@ class Curve(NamedTuple):
     row: int
 
     @property
-    def x(self) -> NDArray[np.float64]:
+    def x(self) -> Array:
         """Stations [mm] of both ends of every element, so that values may jump at a node."""
         return self.result.cut * MILLIMETRE.factor
 
-    def values(self, quantity: str) -> NDArray[np.float64]:
+    def values(self, quantity: str) -> Array:
         """Values in printed units; a twist of no more than rounding of the deflection is zero."""
         factor = declared(self.result)[quantity].metadata["printed"].factor
         values = getattr(self.result, quantity)[self.row] * factor
@@ -137,7 +137,7 @@ def speeds_shown(result: SectionForcesResult) -> list[Curve]:
     return [Curve(f"{result.speed[k] * RPM.factor:.0f} rpm", result, int(k)) for k in picked]
 
 
-def _equal(values: NDArray[np.float64]) -> bool:
+def _equal(values: Array) -> bool:
     return float(np.ptp(values, axis=0).max()) <= ALIKE * float(np.abs(values).max())
 
 

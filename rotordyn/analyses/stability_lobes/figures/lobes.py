@@ -7,12 +7,12 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.stability_lobes.figures import HIGH, LEAST_SPEEDS, MEASURED
 from rotordyn.analyses.stability_lobes.pockets import KEPT
 from rotordyn.analyses.stability_lobes.result import REMOVAL, StabilityLobesResult, banded
 from rotordyn.analyses.stability_lobes.spec import FLIP, FOLD, REPEATING, StabilityLobesSpec
+from rotordyn.arrays import Array
 from rotordyn.figures.legends import top_legend
 from rotordyn.figures.style import (
     BLACK,
@@ -33,7 +33,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
 ROOM = 1.1
 MARKED, SMALL = 4, 6.0
 SIZE = 3.5  # of marks

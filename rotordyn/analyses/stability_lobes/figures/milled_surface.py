@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.stability_lobes.figures import LEAST_SPEEDS
 from rotordyn.analyses.stability_lobes.result import StabilityLobesResult
+from rotordyn.arrays import Array, Flags
 from rotordyn.figures.legends import top_legend
 from rotordyn.figures.style import (
     BLACK,
@@ -28,7 +28,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
 Look = dict[str, Any]
 WALLS: tuple[Look, ...] = (
     {"color": BLUE, "ls": "-", "marker": "o"},
@@ -93,7 +92,7 @@ def _draw(axes: Axes, rpm: Array, y: Array, label: str, look: Look, *, lines: bo
         axes.plot(rpm, y, look["marker"], color=look["color"], ms=SIZE, label=label)
 
 
-def _shade_unstable(axes: Axes, rpm: Array, lost: NDArray[np.bool_]) -> None:
+def _shade_unstable(axes: Axes, rpm: Array, lost: Flags) -> None:
     """Shade speeds at which the cut is not stable or not solved, halfway to adjacent speeds."""
     edges = np.concatenate([rpm[:1], 0.5 * (rpm[1:] + rpm[:-1]), rpm[-1:]])
     label: str | None = "cut not stable, or not solved"

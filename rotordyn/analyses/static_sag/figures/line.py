@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.static_sag.result import StaticSagResult
 from rotordyn.figures import stations
@@ -22,7 +21,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
 SEEN = 1e-9  # of the largest deflection: less is no sag
 WIDE = 145.0  # [mm] of a panel
 

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analyses.unbalance.result import UnbalanceResult
+from rotordyn.arrays import Array
 from rotordyn.figures import stations
 from rotordyn.figures.amplitudes import decades, phase_axis, wrapped_phase
 from rotordyn.figures.legends import shortened, top_legend
@@ -29,7 +29,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
 ROUND = 1e-6  # of an orbit: tolerance of a circle
 DASH = {"y": "-", "z": "--"}
 _LETTER = 0.58 * (FONT_SIZE - 1.5) * 25.4 / 72.0  # [mm]: mean width of a letter above the panels

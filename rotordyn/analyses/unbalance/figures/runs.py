@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rotordyn.analyses.unbalance.result import RUNAWAY, UnbalanceResult
+from rotordyn.arrays import Array
 from rotordyn.figures.amplitudes import decades
 from rotordyn.figures.legends import top_legend
 from rotordyn.figures.style import (
@@ -20,7 +21,6 @@ from rotordyn.figures.style import (
     speed_ticks,
 )
 from rotordyn.results.display import MICROMETRE, RPM
-from rotordyn.results.kinds import Array
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

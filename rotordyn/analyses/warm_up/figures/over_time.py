@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rotordyn.analyses.warm_up.result import WarmUpResult
+from rotordyn.arrays import Array
 from rotordyn.figures.curves import draw_columns
 from rotordyn.figures.legends import legend
 from rotordyn.figures.style import FONT_SIZE, add_axes, evenly, grid_boxes, new_figure
 from rotordyn.results.display import RPM
-from rotordyn.results.kinds import Array
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from rotordyn.arrays import Array, Words
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.results.declaration import coordinate, quantity
-from rotordyn.results.kinds import Array, Words
 
 
 @dataclass(frozen=True)
