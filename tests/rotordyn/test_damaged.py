@@ -57,9 +57,9 @@ def flipped(folder: Path) -> None:
         (recorded(title=None), "run.json is damaged"),
         (written(STORED, b"[" * 100_000), "the case in .* cannot be read"),
         (written(STORED, b"null"), "the case in .* cannot be read"),
-        (written("summary.txt", b"\xff"), "is not complete"),
-        (written(NUMBERS, b""), "is not complete"),
-        (flipped, "results.nc is damaged|is not complete"),
+        (written("summary.txt", b"\xff"), "is incomplete"),
+        (written(NUMBERS, b""), "is incomplete"),
+        (flipped, "results.nc is damaged|is incomplete"),
     ],
 )
 def test_a_damaged_folder_is_a_sentence(

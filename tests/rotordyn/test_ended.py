@@ -238,7 +238,7 @@ def test_more_responses_than_allowed_are_refused_before_they_are_solved(
     assert main(["run", str(path), "-o", str(target), "--no-figures", "--quiet"]) == 2
     said = capsys.readouterr().err
     assert "700 speeds by 1 pairs by 70000 frequencies take about 34.3 s and 5.9 GB" in said
-    assert "(--yes)" in said
+    assert "allow it with --yes" in said
     assert not target.exists()
 
 

@@ -551,5 +551,7 @@ def test_loads_at_rest_are_those_without_friction() -> None:
 def test_a_bearing_without_any_state_is_named() -> None:
     """So fast that its balls stay away from the inner ring wherever it is pressed."""
     model = AngularContactBallBearing(8e-3, 60e-3, 16, contact_angle=math.radians(18))
-    with pytest.raises(NoSolution, match=r"no axial state at any deflection; lower the speed"):
+    with pytest.raises(
+        NoSolution, match=r"no axial equilibrium at any deflection; lower the speed"
+    ):
         solved([_Request(model, LAW, (0.0, 0.0), 4e5, 1e-9)])

@@ -114,7 +114,7 @@ def test_a_bearing_without_any_state_is_named_with_its_speed_and_growth() -> Non
     joined = play.arrangement(case.spindle, np.array([150.0 * RPM]))
     third = replace(joined.bearings[2], growth=np.array([43.21e-3]))
     odd = replace(joined, bearings=(*joined.bearings[:2], third))
-    said = r"number 4 of the spindle at 150 rpm, groove growth 4\.321e\+04 µm: it has no axial"
+    said = r"number 4 of the spindle at 150 rpm, groove growth 4\.321e\+04 µm: no axial"
     with pytest.raises(NoSolution, match=said):
         axial_curves.BearingCurves().of(odd)
 

@@ -136,7 +136,7 @@ FILMS = "films: {viscosity_40: 32 mm^2/s, viscosity_100: 5.4 mm^2/s, temperature
     ("conditions", "sentence"),
     [
         (f"{{bearings: static, {FILMS}}}", "films: needs bearings at speed"),
-        (f"{{tangent: frozen, {FILMS}}}", "films have the complete tangent alone"),
+        (f"{{tangent: frozen, {FILMS}}}", "films need the complete tangent"),
         (f"{{{FILMS.replace('5.4', '54')}}}", "not below viscosity_40"),
         ("{films: {viscosity_40: 32 mm^2/s, viscosity_100: 5 mm^2/s}}", "temperature"),
     ],

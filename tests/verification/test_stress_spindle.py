@@ -139,7 +139,7 @@ def test_balls_do_not_press_on_the_side_that_takes_no_thrust() -> None:
         acting = conditions(axial_force=-1.4e4, axial_stiffening=False, loads=loads)
         (word,) = Scene(spindle, acting, STILL).preload.outcome
         assert "apart at 0 rpm" in word
-        assert word.endswith("lower them, or give the sleeves end stops")
+        assert word.endswith("lower the loads, or give the sleeves end stops")
 
 
 def test_soft_springs_carry_what_unloads_the_bearings_before_them() -> None:

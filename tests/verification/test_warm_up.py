@@ -645,7 +645,7 @@ def test_fits_lose_what_the_ring_grows_beyond_the_shaft() -> None:
     assert np.isnan(result.outer_fit_pressure).all(), "no fit in the housing is given"
 
 
-def test_a_fit_that_lets_go_on_the_way_is_named_with_its_times() -> None:
+def test_a_fit_that_loosens_on_the_way_is_named_with_its_times() -> None:
     here, result = loosening()
     assert not [words for words in here.warnings if "loosens" in words], "in balance it holds"
     (sentence,) = [words for words in warnings(result) if "loosens" in words]
@@ -655,7 +655,9 @@ def test_a_fit_that_lets_go_on_the_way_is_named_with_its_times() -> None:
     assert loose[-1] < result.time[-1]
     assert not [words for words in warnings(warmed()[1]) if "loosens" in words]
     always = np.minimum(result.inner_fit_pressure, 1.0) * 0.0
-    (sentence,) = [w for w in warnings(replace(result, inner_fit_pressure=always)) if "lets" in w]
+    (sentence,) = [
+        w for w in warnings(replace(result, inner_fit_pressure=always)) if "loosens" in w
+    ]
     assert (
         "from 0 s after the start on at 9000 rpm (as do those of b, c, d, for no longer)"
         in sentence

@@ -115,7 +115,7 @@ class BearingMapSpec(Spec):
         if self.films and self.tangents != TANGENTS[:1]:
             yield (
                 ("tangents",),
-                "films have the complete tangent alone; allowed: complete",
+                "films need the complete tangent; allowed: complete",
             )
 
     def last_faults_of(self, bearing: BallBearing) -> Faults:

@@ -449,9 +449,9 @@ def test_the_command_writes_the_page_beside_the_results(
     [
         (shutil.rmtree, "is no results folder"),
         (lambda f: (f / "run.json").unlink(), "is no results folder"),
-        (lambda f: (f / "results.nc").unlink(), "is not complete"),
-        (lambda f: (f / "case.json").unlink(), "is not complete"),
-        (lambda f: (f / "results.nc").write_bytes(b"half"), "is not complete"),
+        (lambda f: (f / "results.nc").unlink(), "is incomplete"),
+        (lambda f: (f / "case.json").unlink(), "is incomplete"),
+        (lambda f: (f / "results.nc").write_bytes(b"half"), "is incomplete"),
         (lambda f: (f / "run.json").write_text('{"rotordyn_results": 1}'), "run the case again"),
         (lambda f: (f / "case.json").write_text('{"is": "Case"'), "cannot be read"),
     ],

@@ -206,7 +206,7 @@ def test_frozen_dynamics_of_a_third_contact() -> None:
         ({"radial_loads": (1.0,), "heat_flow": FLOW, "lubricant": OIL}, "axial loads only"),
         (
             {"loads": (1.0,), "films": True, "lubricant": OIL, "tangents": ("frozen",)},
-            "films have the complete tangent alone",
+            "films need the complete tangent",
         ),
     ],
 )
