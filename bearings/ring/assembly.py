@@ -100,7 +100,7 @@ def axial_assembly(geometry: Geometry) -> Assembly:
 def half_assembly(geometry: Geometry) -> Assembly:
     """Assembly of the balls on one side of the plane of y, each counted for its mirror image too.
 
-    The ring moves in that plane alone, which saves a tenth of a run of mfw2310. Fz and My are
+    The ring moves in that plane alone, which saves up to 9 % of a run. Fz and My are
     exactly zero, and so are the terms of the tangent that couple the planes. The compiled solver
     does not support it: it sums by ``azimuth`` alone and would omit the mirror images.
     """

@@ -159,7 +159,8 @@ def enriched(
     motions, and of one step of inverse iteration from each.
 
     The step represents what a vector φ lacks, M φ − K φ/λ with its Rayleigh quotient λ. So where
-    the coarser model errs by δ, this one errs by δ². A study takes 1.1 times as long by ``reduce``.
+    the coarser model errs by δ, this one errs by δ². By ``reduce`` a Campbell diagram of a shaft of
+    60 to 10 000 sections takes 1.05 to 1.8 times as long.
     """
     body = _Body.held(mass, stiffness, rigid)
     known = known - body.rigid @ (body.mass_rigid.T @ known)
