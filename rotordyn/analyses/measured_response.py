@@ -7,7 +7,6 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated
 
-from rotordyn.arrays import Complex
 from rotordyn.description import Description, Faults, ascending
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.matrix import DOFS, Dof
@@ -25,7 +24,7 @@ from rotordyn.results.display import response_unit
 from rotordyn.units import shown
 
 if TYPE_CHECKING:
-    pass
+    from rotordyn.arrays import Complex
 
 QUANTITIES = ("receptance", "mobility", "inertance")
 NO_RESPONSE = "no response: given zero at every frequency; allowed: at least one other value"
