@@ -213,13 +213,13 @@ class BallBearing:
             raise InvalidBearing(f"{name} must be a finite number, got {shown(value)}")
         return f"{name} {self.measures()[name].drawn(value)}"
 
-    def _exactly_one(self, names: Sequence[str]) -> Iterator[str]:
+    def _exactly_one(self, names: Sequence[str], beside: str = "") -> Iterator[str]:
         """Yield a sentence unless exactly one of several data that fix one another is given."""
         given = [name for name in names if getattr(self, name) is not None]
         if len(given) != 1:
             listing = "; ".join(self.drawn(name) + self._meaning(name) for name in given) or "none"
             rule = f"give exactly one of {', '.join(names)}, since each fixes the others"
-            yield f"{rule}: got {listing}"
+            yield f"{rule}{beside}: got {listing}"
 
     def _meaning(self, name: str) -> str:
         """Consequence of one of these data for the others, as text; empty by default."""
@@ -337,8 +337,9 @@ class BallBearing:
         static_growth : Δu0, radial growth of the inner groove centre at rest, shape (…) [m]
         growth : Δu, total growth at ``speed``, static part included; None = ``static_growth``
         kinematics, moment_sharing, friction, dynamics : as in ``bearings.Law``
-        start : a nearby state of the same batch shape; it only speeds up the solution, and is
-            not used with kinematics that have two branches ("inner", "geometric")
+        start : a nearby state of the same batch shape; it speeds up the solution, decides where two
+            states exist (lightly loaded four-point bearings, docs/theory/four_point.md), and is not
+            used with kinematics that have two branches ("inner", "geometric")
         compiled : solve state by state with compiled functions; None: where that pays, with the
             time for loading or compiling them
 

@@ -74,9 +74,10 @@ class Law:
 
     @property
     def one_branch(self) -> bool:
-        """Whether contacts open and close continuously: a neighbouring state may be a start.
+        """Whether a neighbouring state may be a start: contacts open and close without a jump.
 
-        Inner control and the geometric hypothesis end their loaded branch with a jump.
+        Inner control and the geometric hypothesis end their loaded branch with a jump. With the
+        others only balls of four-point bearings under light load have two states.
         """
         return self.kinematics in ("hybrid", "outer") or self.dynamics == "frozen"
 

@@ -81,7 +81,10 @@ def sliding(state: BearingState, friction: float) -> Sliding:
     motion = contact_motion(state)
     major, minor = half_axes(g, load)
     f = g.by_contact(g.inner_conformity, g.outer_conformity)
-    grip = g.by_contact(state.inner_grip[..., balls, None], state.outer_grip[..., balls, None])
+    needed = g.by_contact(
+        state.inner_required_friction[..., balls, None],
+        state.outer_required_friction[..., balls, None],
+    )
     omega = np.asarray(state.speed)[..., None, None]
     loads = np.nan_to_num(load)
     turning = (loads > 0.0) & (omega > 0.0)
@@ -89,7 +92,7 @@ def sliding(state: BearingState, friction: float) -> Sliding:
     pressed = (np.sum(loads[..., race] > 0.0, -1, keepdims=True) for race in g.races)
     shared = g.by_contact(*pressed) > 1
     side = g.by_contact(1.0, -1.0)
-    required = grip / friction
+    required = needed / friction
     parts = (
         major,
         minor,

@@ -54,7 +54,9 @@ class FourPointBallBearing(BallBearing):
     both_ways: ClassVar[bool] = True
 
     def _faults(self) -> Iterator[str]:
-        yield from (sentence + self._shims_of_both() for sentence in self._exactly_one(GIVEN))
+        shims = f"{self.drawn('inner_shim')}, {self.drawn('outer_shim')}"
+        contradicting = self._exactly_one(GIVEN, f" with {shims}")
+        yield from (sentence + self._shims_of_both() for sentence in contradicting)
         for ring, shim, conformity in self._rings():
             most = (2.0 * conformity - 1.0) * self.ball_diameter
             if shim >= most * (1.0 - 1e-9):
@@ -66,7 +68,6 @@ class FourPointBallBearing(BallBearing):
                 return
         gap = self._radial_gap()
         word = next(self.drawn(name) for name in GIVEN if getattr(self, name) is not None)
-        shims = f"{self.drawn('inner_shim')}, {self.drawn('outer_shim')}"
         if not math.cos(CONTACT_ANGLE.high) - 1e-12 <= gap / self.free_distance <= 1.0:
             yield (
                 f"{word} does not fit {shims}: the free contact angle must lie between 0 and 60°; "

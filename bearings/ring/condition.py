@@ -146,7 +146,7 @@ def _remarks(state: BearingState) -> list[tuple[Flags, str, Array]]:
     edge = math.pi * (0.75 if grooves.free_angle > STEEP else 0.5)
     lost, g = 100.0 * cuts.beyond_shoulder, state.operation.geometry
     inner, outer = (listed(lost[..., race].max(axis=-1)) for race in g.races)
-    grip = listed(np.maximum(state.inner_grip, state.outer_grip))
+    required = listed(np.maximum(state.inner_required_friction, state.outer_required_friction))
     status, slipping = listed(state.status), listed(state.slipping)
     idle = (status == "lost contact") | (status == "unloaded")
     all_idle = idle.all(axis=1, keepdims=True)
@@ -176,17 +176,17 @@ def _remarks(state: BearingState) -> list[tuple[Flags, str, Array]]:
             angle,
         ),
         (
-            (grip > tol.GROSS) & (state.operation.law.friction is None),
+            (required > tol.GROSS) & (state.operation.law.friction is None),
             "gross gyroscopic slip (balls {balls} need a friction of {most:.2g}): raise the load, "
             "lower the speed or give a limit of friction",
-            grip,
+            required,
         ),
-        (idle & all_idle, "unloaded", grip),
-        (idle & ~all_idle, "lost contact (balls {balls})", grip),
+        (idle & all_idle, "unloaded", required),
+        (idle & ~all_idle, "lost contact (balls {balls})", required),
     ]
     races = {"inner": "inner race", "outer": "outer race", "both": "both races"}
     return sentences + [
-        (slipping == race, f"slips on the {name} (balls {{balls}})", grip)
+        (slipping == race, f"slips on the {name} (balls {{balls}})", required)
         for race, name in races.items()
     ]
 

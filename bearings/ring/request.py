@@ -31,8 +31,8 @@ BY_BALL = (
     "outer_pressure",
     "centrifugal_force",
     "gyroscopic_moment",
-    "inner_grip",
-    "outer_grip",
+    "inner_required_friction",
+    "outer_required_friction",
 )
 ALIKE = ("contacts", "touching", "both_ways")  # of a bearing and the one of a start
 BY_CONTACT = ("contact_load", "contact_angle", "contact_pressure")
@@ -175,12 +175,14 @@ def _of_balls(problem: Problem, solution: Solution) -> Arrays:
         "outer_pressure": pressure[outer].max(axis=0),
         "centrifugal_force": np.broadcast_to(b.centrifugal_force, qi.shape),
         "gyroscopic_moment": mg,
-        "inner_grip": _grip(b.inner_share * mg, qi, g.ball_diameter),
-        "outer_grip": _grip((2.0 - b.inner_share) * mg, qo, g.ball_diameter),
+        "inner_required_friction": _required_friction(b.inner_share * mg, qi, g.ball_diameter),
+        "outer_required_friction": _required_friction(
+            (2.0 - b.inner_share) * mg, qo, g.ball_diameter
+        ),
         "status": np.where(qi > 0.0, word, idle),
     } | {name: np.moveaxis(v, 0, -1) for name, v in zip(BY_CONTACT, by_contact, strict=True)}
 
 
-def _grip(moment: Array, load: Array, diameter: float) -> Array:
+def _required_friction(moment: Array, load: Array, diameter: float) -> Array:
     """Friction coefficient that holds λ Mg at a race: λ |Mg| / (D Q); 0 without load."""
     return np.where(load > 0.0, np.abs(moment) / (diameter * np.where(load > 0.0, load, 1.0)), 0.0)

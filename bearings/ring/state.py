@@ -35,10 +35,10 @@ class BearingState:
     By ball (…, balls): ``inner_load``, ``outer_load`` [N]: resultants of the races;
     ``inner_angle``, ``outer_angle`` [rad]: their directions; ``inner_pressure``,
     ``outer_pressure`` [Pa]: largest of each race; ``centrifugal_force`` [N],
-    ``gyroscopic_moment`` [N·m]; ``inner_grip``, ``outer_grip``: friction coefficient that each race
-    needs to carry its share of the gyroscopic moment; ``status``: ``"loaded"``, ``"open side"``
-    (loaded against the side without a shoulder), ``"lost contact"`` (rides the outer race),
-    ``"unloaded"`` (at rest).
+    ``gyroscopic_moment`` [N·m]; ``inner_required_friction``, ``outer_required_friction``:
+    friction coefficient that each race needs to carry its share of the gyroscopic moment;
+    ``status``: ``"loaded"``, ``"open side"`` (loaded against the side without a shoulder),
+    ``"lost contact"`` (rides the outer race), ``"unloaded"`` (at rest).
 
     ``outcome`` (…): ``""`` where the state exists; where it does not, all numbers are NaN.
     ``ball_centre`` (2, …, balls), with the shifts of grooves behind where rings deform: a start
@@ -63,8 +63,8 @@ class BearingState:
     outer_pressure: Array
     centrifugal_force: Array
     gyroscopic_moment: Array
-    inner_grip: Array
-    outer_grip: Array
+    inner_required_friction: Array
+    outer_required_friction: Array
     status: Words
     outcome: Words
     ball_centre: Array
@@ -135,7 +135,7 @@ class BearingState:
         """Which race of each ball slips under the given friction (…, balls): ``""`` for none."""
         friction = self.operation.law.friction
         most = math.inf if friction is None else friction * (1.0 - 1e-9)
-        inner, outer = self.inner_grip >= most, self.outer_grip >= most
+        inner, outer = self.inner_required_friction >= most, self.outer_required_friction >= most
         return np.select([inner & outer, inner, outer], ["both", "inner", "outer"], "")
 
     @property

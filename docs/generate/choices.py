@@ -80,7 +80,7 @@ def _results(case: Case) -> tuple[str, ...]:
     preload, modes = found["preload"], found["campbell"]
     if case.spindle is None:
         raise ValueError("the case has no spindle")
-    grip = max(preload.inner_grip[-1].max(), preload.outer_grip[-1].max())
+    grip = max(preload.inner_required_friction[-1].max(), preload.outer_required_friction[-1].max())
     pressure = max(preload.inner_pressure[-1].max(), preload.outer_pressure[-1].max())
     bending = np.array([kind == "bending" for kind in modes.kind])
     forward = modes.frequency[-1, bending & (modes.whirl[-1] > 0.0)]

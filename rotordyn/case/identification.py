@@ -101,9 +101,9 @@ class AxialStiffnessEntry:
 
 @dataclass(frozen=True, slots=True)
 class StopEntry:
-    """A sleeve that just meets its stop, `kind: stop met`."""
+    """A sleeve that just reaches its stop, `kind: stop reached`."""
 
-    kind: Annotated[str, "`stop met`"]
+    kind: Annotated[str, "`stop reached`"]
     deviation: Annotated[Travel, "standard deviation of the travel of the sleeve"]
     sleeve: Annotated[Name, "sleeve that reaches its stop"]
     speed: Annotated[Speed, "speed at which the stop is reached"]
@@ -239,7 +239,7 @@ KINDS: dict[str, type] = {
     "axial curve": AxialCurveEntry,
     "no load": NoLoadEntry,
     "axial stiffness": AxialStiffnessEntry,
-    "stop met": StopEntry,
+    "stop reached": StopEntry,
     "numbers": NumbersEntry,
     "frequency responses": ResponsesEntry,
     "modes": ModesEntry,

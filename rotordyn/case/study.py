@@ -14,7 +14,7 @@ SPACINGS = ("linear", "ratio")
 MOST_POINTS = 10**15  # of one span, whose values are told apart by 15 digits
 MOST_DRAWN = 10_000_000  # points of a sample, which is drawn whole; results that are kept as files
 MOST_TRIALS = 100_000
-ABSENT = ("breaks", "keeps")
+ABSENT = ("violates", "satisfies")
 BOUNDS = {"at_least", "at_most", "outside"}
 
 

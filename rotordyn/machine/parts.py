@@ -54,7 +54,7 @@ def _rotor(rotor: Rotor) -> Row:
 
 
 def _bearing(seat: BearingSeat) -> Row:
-    thrust = {1: ", a push towards +x loads it", -1: ", a push towards −x loads it", 0: ""}
+    thrust = {1: ", carries thrust towards +x", -1: ", carries thrust towards −x", 0: ""}
     kind = seat.model or type(seat.bearing).__name__
     data = f"{kind}, {seat.bearing.balls} balls of {_mm(seat.bearing.ball_diameter)} mm"
     return "bearing", seat.name, _mm(seat.x), f"{data}{thrust[seat.thrust]}"

@@ -172,7 +172,7 @@ class Balance:
 
     @property
     def thrust(self) -> Array:
-        """Thrust of the seats (seats,): 1 where a push towards +x loads the bearing, else −1."""
+        """Thrust of the seats (seats,): 1 where a force on the shaft along +x loads it, else −1."""
         return np.array([float(bearing.thrust) for bearing in self._seats])
 
     @property

@@ -93,7 +93,7 @@ def _signs(spindle: Spindle) -> str:
     if not thrusts:
         return ""
     sign = "+" if max(thrusts) > 0 else "−"
-    return f" ({sign}: a push towards {sign}x loads it)"
+    return f" ({sign}: carries thrust towards {sign}x)"
 
 
 def _sleeve(sleeve: Sleeve) -> str:

@@ -9,7 +9,7 @@ from rotordyn.arrays import Array, Flags
 from rotordyn.machine.limits import PRELOAD_PRESSURE, WARNING_PRESSURE
 from rotordyn.results.text import which_of
 
-GRIP = 0.1  # friction coefficient
+OILED = 0.1  # friction coefficient
 LEAST_SAFETY = 2.0  # static, of spindles; also 3.3 GPa, up to which the exponent of life holds
 PAIR = 1.4  # times the rating of the grooves: that of a pair is 1.62 times
 DOFS = ("x", "y", "z", "thy", "thz")
@@ -22,8 +22,8 @@ BALL_QUANTITIES = (
     "outer_pressure",
     "centrifugal_force",
     "gyroscopic_moment",
-    "inner_grip",
-    "outer_grip",
+    "inner_required_friction",
+    "outer_required_friction",
 )
 
 
@@ -106,6 +106,14 @@ def softened(factor: Array, speed: Array) -> str:
     )
 
 
+def races(slipping: NDArray[np.str_]) -> NDArray[np.str_]:
+    """Combine the races on which each ball slips (…, balls) into those of any ball (…)."""
+    inner, outer = (
+        ((slipping == one) | (slipping == "both")).any(axis=-1) for one in ("inner", "outer")
+    )
+    return np.select([inner & outer, inner, outer], ["both", "inner", "outer"], "")
+
+
 def slipping(what: str, speed: Array, races: NDArray[np.str_]) -> str:
     """A warning where balls slip on a race at some speed, else nothing."""
     slips = races != ""
@@ -113,20 +121,34 @@ def slipping(what: str, speed: Array, races: NDArray[np.str_]) -> str:
         return ""
     names = {"inner": "the inner race", "outer": "the outer race", "both": "both races"}
     race = names[str(races[slips.argmax()])]
-    return f"{what}: the balls slip on {race} {which_of(speed, slips)} (friction as given)"
+    return (
+        f"{what}: the balls slip on {race} {which_of(speed, slips)} (friction as given): raise the "
+        "preload, or lower the speed"
+    )
 
 
-def friction_warning(what: str, speed: Array, grip: Array) -> str:
+def on_open_side(what: str, speed: Array, balls: Flags) -> str:
+    """A warning where balls bear on the side without a shoulder at some speed, else nothing."""
+    if not balls.any():
+        return ""
+    return (
+        f"{what}: balls bear where the rings have no shoulder {which_of(speed, balls)}: raise the "
+        "axial load, or turn the bearing round"
+    )
+
+
+def friction_warning(what: str, speed: Array, required: Array) -> str:
     """A warning where rolling without slip requires high friction at some speed, else nothing.
 
     0.1 is about the most that oil-lubricated steel on steel has (Harris and Kotzalas, Rolling
     Bearing Analysis, 5th ed., on gyroscopic motion: 0.02 to 0.1).
     """
-    high = grip > GRIP
+    high = required > OILED
     if not high.any():
         return ""
     return (
         f"{what}: its balls roll without gyroscopic slip only if friction is above "
-        f"{np.nanmax(grip):.2g}, more than the {GRIP:g} of oiled contacts {which_of(speed, high)}; "
+        f"{np.nanmax(required):.2g}, more than the {OILED:g} of oiled contacts "
+        f"{which_of(speed, high)}; "
         "raise its preload, or set friction to compute the slip"
     )

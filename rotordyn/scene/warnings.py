@@ -11,7 +11,6 @@ from itertools import combinations, product
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.equation.seat import HALF_TURN_ABOUT_Y
@@ -21,7 +20,15 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.station import SLACK
 from rotordyn.preload.growth import released_fits
 from rotordyn.preload.ring_stress import YIELD, ring_stress
-from rotordyn.results.balls import friction_warning, no_film, preloaded, pressed, slipping
+from rotordyn.results.balls import (
+    friction_warning,
+    no_film,
+    on_open_side,
+    preloaded,
+    pressed,
+    races,
+    slipping,
+)
 from rotordyn.results.display import RPM, number
 from rotordyn.results.text import which_of
 from rotordyn.scene.expansions import expansion_warnings
@@ -291,7 +298,7 @@ def _guides(scene: Scene) -> Iterator[str]:
 
 
 def bearing_warnings(scene: Scene) -> Iterator[str]:
-    """Yield warnings about contact pressure, slip, required friction and small shims."""
+    """Yield warnings of pressure, slip, required friction, open sides and small shims."""
     state = scene.preload
     speed, usable = state.speed, state.usable
     for seat, (balls, column) in zip(scene.spindle.seats, state.seat_states(), strict=True):
@@ -300,26 +307,22 @@ def bearing_warnings(scene: Scene) -> Iterator[str]:
             np.where(usable, np.where(counted, part[:, column], 0.0).max(axis=-1), np.nan)
             for part, counted in (
                 (np.fmax(balls.inner_pressure, balls.outer_pressure), True),
-                (np.fmax(balls.inner_grip, balls.outer_grip), driven),
+                (np.fmax(balls.inner_required_friction, balls.outer_required_friction), driven),
             )
         )
-        slips = np.where(usable, _slipping(np.where(driven, balls.slipping[:, column], "")), "")
+        slips = np.where(usable, races(np.where(driven, balls.slipping[:, column], "")), "")
+        wrong_side = usable & (balls.status[:, column] == "open side").any(axis=-1)
         no_slip = not any(slips)
         sentences = (
             pressed(name, speed, peak) or preloaded(name, speed, peak),
             slipping(name, speed, slips),
             friction_warning(name, speed, required_friction) if no_slip else "",
+            on_open_side(name, speed, wrong_side),
         )
         yield from (sentence for sentence in sentences if sentence)
         if state.lateral is not None or state.force:
             yield from _unloaded_balls(name, speed, usable, balls.inner_load[:, column], seat)
     yield from state.small_shims()
-
-
-def _slipping(races: NDArray[np.str_]) -> NDArray[np.str_]:
-    """Combine the races on which balls slip (states, balls) into those of any ball (states,)."""
-    inner, outer = (((races == one) | (races == "both")).any(axis=1) for one in ("inner", "outer"))
-    return np.select([inner & outer, inner, outer], ["both", "inner", "outer"], "")
 
 
 def _unloaded_balls(

@@ -69,7 +69,9 @@ def test_balls_that_are_thrown_off(kinematics: str) -> None:
     speed = np.array([0.5, 0.999, 1.001, 1.1]) * limit * RPM
     state = VEX70.equilibrium(speed=speed, **ask)
     assert (state.outcome == ["", "", "no equilibrium", "no equilibrium"]).all()
-    assert state.inner_grip[1].max() > 30.0 > 3.0 > state.inner_grip[0].max()
+    assert (
+        state.inner_required_friction[1].max() > 30.0 > 3.0 > state.inner_required_friction[0].max()
+    )
     capped = VEX70.equilibrium(speed=FAST, friction=0.1, **ask)
     assert "slips on the inner race" in str(words_of(capped))
 

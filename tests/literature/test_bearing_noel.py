@@ -67,7 +67,7 @@ def test_grip_needed_at_the_inner_race(kinematics: str, grip: float) -> None:
     s = thrust(1220.0, FAST, kinematics=kinematics)
     needed = s.gyroscopic_moment / (VEX70.ball_diameter * s.inner_load)
     assert needed == pytest.approx(grip, abs=0.006)
-    assert s.inner_grip == pytest.approx(needed, rel=1e-12)
+    assert s.inner_required_friction == pytest.approx(needed, rel=1e-12)
 
 
 def test_matrices_4_7_and_4_8() -> None:

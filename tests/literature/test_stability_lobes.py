@@ -116,7 +116,7 @@ def test_shaping(rpm, modes, limit):
     ("ratio", "rpm", "limit", "mean"),
     [(1e-3, 9000, 2.7503, 2.00169), (1e-4, 9000, 2.7235, 1.99072), (1e-4, 25000, 3.7763, 5.61686)],
 )
-def test_hardly_damped_modes_limit_beside_their_peaks(ratio, rpm, limit, mean):
+def test_lightly_damped_modes_limit_beside_their_peaks(ratio, rpm, limit, mean):
     """A slot far from the resonance, beside collocation; zero order tends to its closed form
     without damping, −1/(2 H Φ) where the tooth period holds (2k + 1)/2 waves."""
     machine = Machine(((922.0, ratio, STIFF, X),))

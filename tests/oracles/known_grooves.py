@@ -15,6 +15,7 @@ from bearings import (
     DeepGrooveBallBearing,
     FourPointBallBearing,
     Material,
+    ThrustBallBearing,
 )
 from tests.oracles.four_point import Drawing, GrooveOracle
 from tests.oracles.known_bearings import RPM
@@ -96,6 +97,11 @@ def deep_groove(drawing: Drawing) -> DeepGrooveBallBearing:
 def angular_contact(drawing: Drawing) -> AngularContactBallBearing:
     """The bearing whose balls touch as those of the drawing do under thrust towards +x."""
     return AngularContactBallBearing(**common(drawing), contact_angle=drawing.contact_angle)
+
+
+def thrust(drawing: Drawing) -> ThrustBallBearing:
+    """The bearing of one groove a washer, at 90°."""
+    return ThrustBallBearing(**common(drawing))
 
 
 def lever(drawing: Drawing) -> NDArray[np.float64]:

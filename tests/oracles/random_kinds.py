@@ -17,11 +17,18 @@ from bearings import SILICON_NITRIDE, STEEL, BallBearing
 from bearings.ring.state import BearingState
 from tests.oracles.four_point import Drawing, GrooveOracle
 from tests.oracles.known_bearings import HYPOTHESES, SHARINGS
-from tests.oracles.known_grooves import angular_contact, deep_groove, four_point
+from tests.oracles.known_grooves import angular_contact, deep_groove, four_point, thrust
 from tests.oracles.random_states import HIGHEST, RATED
 
 Array = NDArray[np.float64]
-KINDS = {"angular contact": angular_contact, "deep groove": deep_groove, "four point": four_point}
+KINDS = {
+    "angular contact": angular_contact,
+    "deep groove": deep_groove,
+    "four point": four_point,
+    "thrust": thrust,
+}
+ONE_WAY = ("angular contact", "thrust")
+NO_RADIAL_LOAD = np.array([True, False, False, True, True])
 SEED = 5
 
 
@@ -67,14 +74,16 @@ def draw(kind: str, number: int, count: int) -> Asked:
     speed = HIGHEST / drawing.pitch_diameter * rng.uniform(size=count)
     speed *= rng.uniform(size=count) > 0.1
     by_load = (5, 5, 0, int(rng.integers(1, 5)))[rng.integers(4)]
-    touching = kind == "angular contact"
+    touching, steep = kind in ONE_WAY, kind == "thrust"
+    dynamics = ("resultant", "frozen")[rng.integers(2)]
+    free = rng.permutation(np.arange(5) < by_load) & (NO_RADIAL_LOAD | (not steep))
     free_travel = drawing.free_distance * math.sin(drawing.contact_angle)
     return Asked(
         bearing=KINDS[kind](drawing),
         oracle=oracle,
-        dynamics=("resultant", "frozen")[rng.integers(2)],
-        free=rng.permutation(np.arange(5) < by_load),
-        load=_loads(rng, drawing, rated, count, touching),
+        dynamics=dynamics,
+        free=free,
+        load=_loads(rng, drawing, rated, count, touching, steep),
         displacement=_displacements(rng, drawing, oracle, rated, count, touching),
         speed=speed,
         shift=free_travel if touching else 0.0,
@@ -87,8 +96,8 @@ def _drawing(kind: str, rng: np.random.Generator) -> Drawing:
     diameter = 2e-3 * 30.0 ** rng.uniform()
     least = max(1.03 * diameter / math.sin(math.pi / balls), 2.8 * diameter)
     fi, fo = rng.uniform(0.507, 0.56, 2)
-    angle = {"angular contact": 15.0, "deep groove": 3.0, "four point": 24.0}[kind]
-    angle = math.radians(angle + rng.uniform(0.0, 20.0))
+    angle = {"angular contact": 15.0, "deep groove": 3.0, "four point": 24.0}.get(kind, 90.0)
+    angle = math.radians(angle + rng.uniform(0.0, 20.0 if kind != "thrust" else 0.0))
     shims: dict[str, Any] = {}
     if kind == "four point":
         part = np.sin(angle) * rng.uniform(0.1, 0.97, 2)  # sine of the angle of the arch
@@ -108,10 +117,15 @@ def _drawing(kind: str, rng: np.random.Generator) -> Drawing:
 
 
 def _loads(
-    rng: np.random.Generator, drawing: Drawing, rated: float, count: int, one_way: bool
+    rng: np.random.Generator,
+    drawing: Drawing,
+    rated: float,
+    count: int,
+    one_way: bool,
+    steep: bool,
 ) -> Array:
-    """Any direction and four decades of size, up to about the static rating."""
-    way = rng.standard_normal((count, 3))
+    """Any direction and four decades of size, up to about the static rating; thrust if steep."""
+    way = rng.standard_normal((count, 3)) * (np.array([1.0, 0.0, 0.0]) if steep else 1.0)
     way /= np.linalg.norm(way, axis=1, keepdims=True)
     if one_way:
         way[:, 0] = np.abs(way[:, 0]) + 0.5

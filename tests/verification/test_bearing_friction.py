@@ -28,7 +28,9 @@ def test_every_ball_balances_with_the_moment_its_races_hold(kinematics: str, sha
     assert loaded.size > 10
     for ball in loaded:
         assert imbalance(oracle, SPEED, state, ball, MU, SHARE[sharing]) < 1e-8
-    assert max(state.inner_grip.max(), state.outer_grip.max()) <= MU * (1.0 + 1e-9)
+    assert max(state.inner_required_friction.max(), state.outer_required_friction.max()) <= MU * (
+        1.0 + 1e-9
+    )
     slipping = set(state.slipping[loaded].tolist()) - {""}
     assert slipping == {"outer" if sharing == "outer" else "inner"}
     for race in slipping:
@@ -40,7 +42,7 @@ def test_every_ball_balances_with_the_moment_its_races_hold(kinematics: str, sha
 def test_friction_that_suffices_changes_nothing(kinematics: str, sharing: str) -> None:
     how = dict(kinematics=kinematics, moment_sharing=sharing)
     free = VEX70.equilibrium(load=[3000.0, 0, 0, 0, 0], speed=SPEED, **how)
-    enough = 1.01 * max(free.inner_grip.max(), free.outer_grip.max())
+    enough = 1.01 * max(free.inner_required_friction.max(), free.outer_required_friction.max())
     held = VEX70.equilibrium(load=[3000.0, 0, 0, 0, 0], speed=SPEED, friction=enough, **how)
     assert held.complete_stiffness == pytest.approx(free.complete_stiffness, rel=1e-12)
     assert (held.slipping == "").all()
@@ -79,13 +81,13 @@ def test_a_light_ball_fades_out_of_contact(kinematics: str, sharing: str) -> Non
     how = dict(displacement=away, speed=24000.0 * RPM, kinematics=kinematics)
     unlimited = VEX70.equilibrium(moment_sharing=sharing, **how)
     assert (unlimited.outcome == "no equilibrium").sum() > 100 or sharing == "equal"
-    grip = unlimited.inner_grip[unlimited.inner_load[:, 0] > 0.0, 0]
+    grip = unlimited.inner_required_friction[unlimited.inner_load[:, 0] > 0.0, 0]
     assert np.nanmax(grip) > 1.0
     state = VEX70.equilibrium(moment_sharing=sharing, friction=0.1, **how)
     assert (state.outcome == "").all()
     last = int(np.flatnonzero(state.inner_load[:, 0] > 0.0)[-1])
     assert state.inner_load[last, 0] < 0.02
-    assert state.inner_grip[last, 0] == pytest.approx(0.1, rel=1e-9)
+    assert state.inner_required_friction[last, 0] == pytest.approx(0.1, rel=1e-9)
     steps = np.diff(state.load[:, 0])
     assert np.abs(np.diff(steps)).max() < 0.1 * np.abs(steps).max()  # no jump
     assert np.abs(np.diff(state.outer_load[last - 50 :, 0])).max() < 0.1

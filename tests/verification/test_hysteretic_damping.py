@@ -114,7 +114,7 @@ def test_the_threshold_is_the_critical_speed(formulation: str) -> None:
     for eta in (1e-4, ETA, 0.5):
         found = modes(disc(eta), [0.0, 3.0 * omega, 6.0 * omega], formulation=formulation)
         assert found.stability_threshold == pytest.approx(omega, rel=1e-6)
-        assert found.first_to_grow == "bending 1 forward"
+        assert found.unstable_mode == "bending 1 forward"
         first = found.critical_whirl.index("forward")
         assert found.critical_speed[first] == pytest.approx(omega, rel=1e-6)
         assert abs(found.critical_damping[first]) < 1e-9

@@ -67,7 +67,7 @@ def test_threshold_in_closed_form(ratio: float, formulation: str) -> None:
         rotor(ratio * BETA * stiff), [0.0, 3.0 * omega, 6.0 * omega], formulation=formulation
     )
     assert found.stability_threshold == pytest.approx(omega * (1.0 + ratio), rel=1e-4)
-    assert found.first_to_grow == "bending 1 forward"
+    assert found.unstable_mode == "bending 1 forward"
     sentence = f"from {found.stability_threshold * 30 / math.pi:.0f} rpm on"
     assert any(sentence in warning for warning in result_warnings({"campbell": found}))
 
@@ -109,7 +109,7 @@ def test_damping_in_the_fixed_frame_never_grows() -> None:
     fixed = replace(rotor(0.1 * BETA * stiff), internal_damping=0.0)
     found = answered(fixed, [0.0, 3.0 * omega, 6.0 * omega])
     assert found.stability_threshold == math.inf
-    assert found.first_to_grow == ""
+    assert found.unstable_mode == ""
     assert result_warnings({"campbell": found}) == []
 
 

@@ -401,7 +401,7 @@ def test_lines_between_the_samples_of_either_axis_follow_its_antiresonance() -> 
         assert np.abs(drawn - np.log(np.abs(exact[:, axis]))).max() < 0.2
 
 
-def test_peaks_of_other_speeds_growth_and_no_limit_are_not_called_hardly_damped() -> None:
+def test_peaks_of_other_speeds_growth_and_no_limit_are_not_called_lightly_damped() -> None:
     """An infinite peak has a sentence of its own."""
     mass = rotor_inertia(on_two(block(K, K), block(C, C))).mass
     damping = 6e-7 * math.sqrt(K * mass)

@@ -26,7 +26,8 @@ class BearingMapResult:
     """A single bearing over axial load and speed; stiffness with tilts blocked.
 
     What belongs to a ball (``inner_angle`` … ``control_agrees``) is that of ``loaded_ball``, the
-    one with the largest contact load, counted from 0. ``ball``: azimuth, from y towards z, of the
+    one with the largest contact load, counted from 0; ``slipping`` is of any driven ball, one of at
+    least 5 % of the largest load. ``ball``: azimuth, from y towards z, of the
     balls that results by contact have: all of them where balls differ, else one. Without load a
     contact has no angle and no ellipse ends (NaN). ``truncated``: share of the major axis of the
     contact ellipse outside its groove; ``shoulder_angle`` and ``middle_angle``: where grooves end,
@@ -67,9 +68,19 @@ class BearingMapResult:
     outer_pressure: Array = quantity(*BY_LOAD, unit="Pa", label="outer peak pressure")
     centrifugal_force: Array = quantity(*BY_LOAD, unit="N", label="centrifugal force")
     gyroscopic_moment: Array = quantity(*BY_LOAD, unit="N·m", label="gyroscopic moment")
-    inner_grip: Array = quantity(*BY_LOAD, unit="1", label="required friction, inner race")
-    outer_grip: Array = quantity(*BY_LOAD, unit="1", label="required friction, outer race")
+    inner_required_friction: Array = quantity(
+        *BY_LOAD, unit="1", label="required friction, inner race"
+    )
+    outer_required_friction: Array = quantity(
+        *BY_LOAD, unit="1", label="required friction, outer race"
+    )
+    required_friction: Array = quantity(
+        *BY_LOAD, unit="1", label="required friction, largest of the driven balls"
+    )
     slipping: NDArray[np.str_] = quantity(*BY_LOAD, unit="", label="race that slips")
+    open_side: NDArray[np.int_] = quantity(
+        *BY_LOAD, unit="", label="number of balls on the side without a shoulder"
+    )
     inner_spin_to_roll: Array = quantity(*BY_LOAD, unit="1", label="spin-to-roll ratio, inner race")
     outer_spin_to_roll: Array = quantity(*BY_LOAD, unit="1", label="spin-to-roll ratio, outer race")
     attitude: Array = quantity(*BY_LOAD, unit="rad", label="inclination β of the ball's rotation")

@@ -20,7 +20,7 @@ from rotordyn.analyses.bearing.spec import AXIAL, FIXED, MOMENT, RADIAL, Bearing
 from rotordyn.arrays import Array
 from rotordyn.errors import NoSolution
 from rotordyn.machine.limits import HIGHEST_PRESSURE
-from rotordyn.results.balls import BALL_QUANTITIES, DOFS
+from rotordyn.results.balls import BALL_QUANTITIES, DOFS, races
 from rotordyn.results.declaration import declared
 from rotordyn.results.display import RPM
 from rotordyn.scene.conditions import Conditions
@@ -75,7 +75,9 @@ def solve(
         tilt=displacement[..., 4],
         stiffness=_valid(outcome, np.stack(tangents, axis=2)),
         loaded_ball=ball,
-        slipping=np.where(valid, loaded(state.slipping), ""),
+        required_friction=_valid(outcome, _required_friction(state)),
+        slipping=np.where(valid, races(np.where(state.driven, state.slipping, "")), ""),
+        open_side=np.where(valid, (state.status == "open side").sum(axis=-1), 0),
         control=np.where(valid, loaded(state.control), ""),
         control_agrees=valid & loaded(state.control_agrees),
         attitude=_valid(outcome, loaded(ball_motion(state).attitude)),
@@ -84,6 +86,12 @@ def solve(
         **_heat(bearing, conditions, solved, outcome, spec),
         **_contacts(bearing, state, outcome, spec),
     )
+
+
+def _required_friction(state: BearingState) -> Array:
+    """Return the largest friction coefficient that a driven ball requires."""
+    both = np.fmax(state.inner_required_friction, state.outer_required_friction)
+    return np.asarray(np.where(state.driven, both, 0.0).max(axis=-1))
 
 
 class _Solved(NamedTuple):

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,8 +12,10 @@ from rotordyn.analyses.bearing.result import BearingMapResult, RadialMapResult
 from rotordyn.analyses.bearing.solve import mounted_under, under
 from rotordyn.arrays import Array, Flags
 from rotordyn.results.balls import (
+    friction_warning,
     no_film,
     of_a_pair,
+    on_open_side,
     overloaded,
     pressed,
     slipping,
@@ -211,6 +214,21 @@ def _turning(result: BearingMapResult) -> Flags:
     return (result.speed > 0.0)[:, None] & (result.equivalent_load > 0.0)
 
 
+def _lightly_loaded(result: BearingMapResult) -> Iterator[str]:
+    """Warn of friction that rolling requires, and of balls on the open side, once for all loads."""
+    rolling = (result.slipping == "").all(axis=0)
+    friction = np.where(rolling, result.required_friction, 0.0)
+    checks: tuple[tuple[Callable[..., str], NDArray[Any]], ...] = (
+        (friction_warning, friction),
+        (on_open_side, result.open_side > 0),
+    )
+    for check, values in checks:
+        loads = [k for k in range(len(result.load)) if check("", result.speed, values[:, k])]
+        if loads:
+            what = f"under {mounted_under(result, loads[0])}{' and more' * (len(loads) > 1)}"
+            yield check(what, result.speed, np.fmax.reduce(values[:, loads], axis=1))
+
+
 def _beyond_life(result: BearingMapResult) -> Iterator[str]:
     """Warn of loads beyond the range of life models, from the first such load of the list on."""
     rating = np.asarray(result.dynamic_rating)
@@ -254,6 +272,7 @@ def warnings(result: BearingMapResult) -> list[str]:
     sentences += [
         of_a_pair(result.dynamic_rating, result.groove_rating),
         softened(result.rating_factor, result.speed),
+        *_lightly_loaded(result),
         *_beyond_life(result),
         no_film(_turning(result) & (result.film == 0.0), result.speed),
         *_overheated(result),

@@ -33,7 +33,7 @@ class CampbellResult:
     accuracy asked for as the model is refined, a sentence, or "". ``stability_threshold``: lowest
     speed of the range at which a mode begins to grow, infinite where none does;
     ``threshold_is_bound``: the mode grows at the lowest speed at which it is solved already, so
-    that its threshold is there or below; ``first_to_grow``: that mode, "a divergence" of a motion
+    that its threshold is there or below; ``unstable_mode``: that mode, "a divergence" of a motion
     that does not vibrate, or "". ``rotor``: the spindle's shaft and further rotors, at
     ``speed_ratio`` times its speed; ``node_rotor``: the rotor of each node; whirl is forward in the
     direction in which the spindle turns. ``engine_order``: those whose critical speeds were sought;
@@ -134,10 +134,10 @@ class CampbellResult:
     stability_threshold: float = quantity(
         unit="rad/s",
         label="speed from which a mode is unstable",
-        infinite=(Absence("where no mode is unstable", beside="first_to_grow"),),
+        infinite=(Absence("where no mode is unstable", beside="unstable_mode"),),
     )
     threshold_is_bound: bool = quantity(unit="", label="the threshold may be lower")
-    first_to_grow: str = quantity(unit="", label="mode that is unstable from there")
+    unstable_mode: str = quantity(unit="", label="mode that is unstable from there")
     critical_speed: Array = quantity("critical", unit="rad/s", label="critical speed")
     critical_rotor: Words = quantity("critical", unit="", label="exciting rotor")
     critical_order: Array = quantity("critical", unit="1", label="order of the excitation")

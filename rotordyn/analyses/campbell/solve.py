@@ -98,7 +98,7 @@ def solve(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         shape=_shapes(scene, branches, ends),
         stability_threshold=threshold.speed,
         threshold_is_bound=threshold.is_bound,
-        first_to_grow=threshold.name,
+        unstable_mode=threshold.name,
         critical_speed=np.array([c.speed for c in criticals]),
         critical_rotor=tuple(c.line.rotor for c in criticals),
         critical_order=np.array([c.line.order for c in criticals]),

@@ -283,10 +283,10 @@ def _unstable_modes(result: CampbellResult) -> list[str]:
         rpm = f"{result.stability_threshold * RPM.factor:.0f} rpm"
         onward = " on" if _stays_unstable(result) else ""
         sentences.append(
-            f"{result.first_to_grow} is unstable at {rpm} already, the lowest speed at which "
+            f"{result.unstable_mode} is unstable at {rpm} already, the lowest speed at which "
             "it is solved: add lower speeds to find its threshold"
             if result.threshold_is_bound
-            else f"{result.first_to_grow} is unstable from {rpm}{onward}"
+            else f"{result.unstable_mode} is unstable from {rpm}{onward}"
         )
     for name, ratio, growing in zip(
         result.mode, result.damping_ratio.T, result.unstable.T, strict=True
@@ -304,7 +304,7 @@ def _unstable_modes(result: CampbellResult) -> list[str]:
 def _stays_unstable(result: CampbellResult) -> bool:
     """Return whether the first unstable motion stays unstable at all speeds above."""
     above = np.flatnonzero(result.speed >= result.stability_threshold)
-    first = np.array([name == result.first_to_grow for name in result.mode])
+    first = np.array([name == result.unstable_mode for name in result.mode])
     block = np.ix_(above, np.flatnonzero(first if first.any() else ~first))
     growing = np.atleast_1d(result.unstable[block].any(axis=1))
     valid = np.isfinite(result.frequency[block]).any(axis=1)

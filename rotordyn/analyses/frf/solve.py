@@ -40,7 +40,7 @@ from rotordyn.modes.criticals import BEYOND
 from rotordyn.modes.names import named
 from rotordyn.results.display import RPM
 from rotordyn.scene.formulation import ROTATING, require_isotropic, turned
-from rotordyn.scene.hardly_damped import LIGHT
+from rotordyn.scene.lightly_damped import LIGHT
 from rotordyn.scene.refinement import changes, few_rows, response_accuracy, solve_accurately
 from rotordyn.scene.scene import Scene
 

@@ -14,7 +14,7 @@ from rotordyn.results.described import Described
 from rotordyn.results.display import RPM, number, rounded_up, shown
 from rotordyn.results.headline import Number
 from rotordyn.results.text import unbroken
-from rotordyn.scene.hardly_damped import hardly_damped
+from rotordyn.scene.lightly_damped import lightly_damped
 
 PLURAL = {"receptance": "receptances", "mobility": "mobilities", "inertance": "inertances"}
 MOST = 4  # responses listed
@@ -148,7 +148,7 @@ def warnings(result: FrequencyResponse) -> list[str]:
             f"frf: {pair} is less accurate than asked for: an estimated error of "
             f"{rounded_up(worst)} of its peak remains after refinement"
         )
-    return [*sentences, *_hardly_damped(result)]
+    return [*sentences, *_lightly_damped(result)]
 
 
 def _wide_lines(result: FrequencyResponse) -> Iterator[str]:
@@ -182,7 +182,7 @@ def _driving_points(result: FrequencyResponse) -> Iterator[str]:
             yield f"measured response {name} is not that of a driving point: {words}"
 
 
-def _hardly_damped(result: FrequencyResponse) -> Iterator[str]:
+def _lightly_damped(result: FrequencyResponse) -> Iterator[str]:
     """Warn, in one sentence, where the highest peaks are those of lightly damped modes."""
     light = [pair for pair, mode in enumerate(result.light_mode) if mode]
     for pair in light[:1]:
@@ -190,7 +190,7 @@ def _hardly_damped(result: FrequencyResponse) -> Iterator[str]:
         ratio = result.peak_damping[row, pair, place]
         more = f" (and those of {len(light) - 1} more responses)" if len(light) > 1 else ""
         peak = f"frf: the highest peak of {_highest(result, pair)}{more}"
-        yield hardly_damped(peak, result.light_mode[pair], float(ratio))
+        yield lightly_damped(peak, result.light_mode[pair], float(ratio))
 
 
 def speeds_compared(result: FrequencyResponse, row: int) -> str:

@@ -65,10 +65,10 @@ class PreloadResult:
     outer_pressure: Array = quantity("speed", "bearing", unit="Pa", label="outer peak pressure")
     centrifugal_force: Array = quantity("speed", "bearing", unit="N", label="centrifugal force")
     gyroscopic_moment: Array = quantity("speed", "bearing", unit="N·m", label="gyroscopic moment")
-    inner_grip: Array = quantity(
+    inner_required_friction: Array = quantity(
         "speed", "bearing", unit="1", label="required friction, inner race"
     )
-    outer_grip: Array = quantity(
+    outer_required_friction: Array = quantity(
         "speed", "bearing", unit="1", label="required friction, outer race"
     )
     slipping: NDArray[np.str_] = quantity("speed", "bearing", unit="", label="race that slips")

@@ -13,7 +13,7 @@ from rotordyn.results.described import Described
 from rotordyn.results.display import GRAM_MILLIMETRE, MICROMETRE, RPM, number, rounded_up
 from rotordyn.results.headline import Number
 from rotordyn.results.text import unbroken
-from rotordyn.scene.hardly_damped import LIGHT, hardly_damped
+from rotordyn.scene.lightly_damped import LIGHT, lightly_damped
 from rotordyn.scene.linearity import tangent_warnings
 from rotordyn.scene.stability import how_it_grows
 
@@ -167,7 +167,7 @@ def accuracy(result: UnbalanceResult) -> list[str]:
     grows = (result.run_peak > RUNAWAY * steady).any(axis=1)
     errors = result.run_error[np.isfinite(result.run_error) & ~grows]
     if errors.size:
-        lines.append(f"runs within {rounded_up(float(errors.max()))} by parts")
+        lines.append(f"runs within {rounded_up(float(errors.max()))} of their peaks")
     return lines
 
 
@@ -176,7 +176,7 @@ def warnings(result: UnbalanceResult) -> list[str]:
     curves = result.support, result.fine_speed, result.fine_departure
     sentences = [*tangent_warnings("unbalance", *curves)]
     sentences += _films(result)
-    sentences += _hardly_damped(result)
+    sentences += _lightly_damped(result)
     sentences += _run_warnings(result)
     worst = float(result.error.max(initial=0.0))  # NaN without a finer model
     if worst > result.error_asked:
@@ -229,7 +229,7 @@ def _from_to(first: float, last: float) -> str:
     return f"from about {ends[0]} to {ends[1]} rpm" if is_range else f"at about {ends[0]} rpm"
 
 
-def _hardly_damped(result: UnbalanceResult) -> Iterator[str]:
+def _lightly_damped(result: UnbalanceResult) -> Iterator[str]:
     """Yield a warning of points with the highest peak at a lightly damped critical speed."""
     light = [
         (point, k)
@@ -240,7 +240,7 @@ def _hardly_damped(result: UnbalanceResult) -> Iterator[str]:
         others = f" (and of {len(light) - 1} more points)" if len(light) > 1 else ""
         peak = f"unbalance: the highest peak of {point}{others}, at "
         peak += f"{number(float(result.critical_speed[k]) * RPM.factor, 0)} rpm,"
-        yield hardly_damped(peak, result.critical[k], float(result.critical_damping[k]))
+        yield lightly_damped(peak, result.critical[k], float(result.critical_damping[k]))
 
 
 def _highest_critical(result: UnbalanceResult) -> Iterator[int | None]:

@@ -18,7 +18,7 @@ from rotordyn.study.identification.measurement import Measurement
 from rotordyn.study.identification.numbers import Numbers
 from rotordyn.study.identification.points import read_points
 from rotordyn.study.identification.responses import Responses
-from rotordyn.study.identification.stop_met import StopMet
+from rotordyn.study.identification.stop_reached import StopReached
 
 Entry = Mapping[str, Any]
 COLUMNS = {
@@ -64,9 +64,9 @@ def _axial_stiffness(name: str, given: Entry, _: Path) -> Measurement:
     )
 
 
-def _stop_met(name: str, given: Entry, _: Path) -> Measurement:
+def _stop_reached(name: str, given: Entry, _: Path) -> Measurement:
     keys = ("deviation", "sleeve", "speed", "force", "lowest", "highest")
-    return StopMet(name=name, **{key: given[key] for key in keys})
+    return StopReached(name=name, **{key: given[key] for key in keys})
 
 
 def _numbers(name: str, given: Entry, _: Path) -> Measurement:
@@ -116,7 +116,7 @@ MADE: dict[str, Callable[[str, Entry, Path], Measurement]] = {
     "axial curve": _axial_curve,
     "no load": _no_load,
     "axial stiffness": _axial_stiffness,
-    "stop met": _stop_met,
+    "stop reached": _stop_reached,
     "numbers": _numbers,
     "frequency responses": _responses,
     "modes": _modes,

@@ -645,7 +645,7 @@ def growing() -> object:
         plain,
         damping_ratio=ratio,
         stability_threshold=9000.0 * np.pi / 30.0,
-        first_to_grow=plain.mode[1],
+        unstable_mode=plain.mode[1],
     )
 
 
@@ -686,8 +686,8 @@ def test_bearings_of_equal_loads_and_unlike_angles_are_two_lines():
             "outer_pressure",
             "inner_load",
             "outer_load",
-            "inner_grip",
-            "outer_grip",
+            "inner_required_friction",
+            "outer_required_friction",
         )
     }
     alike = replace(result, axial_load=load, **same)

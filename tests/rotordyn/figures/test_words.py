@@ -209,7 +209,7 @@ def test_a_run_that_grows_beyond_bounds_is_cut_at_the_edge_and_named():
     first, second = runs_figure(replace(steady, **one)).axes
     peak, error = np.nanmax(moved, axis=1), np.array([2e-6, 7e-5, 1e-6])
     told = accuracy(replace(steady, **one, run_peak=peak, run_error=error))
-    assert told[1:] == ["runs within 2e-06 by parts"]
+    assert told[1:] == ["runs within 2e-06 of their peaks"]
     told = accuracy(replace(steady, **one, run_peak=peak[[1, 1, 1]], run_error=error))
     assert told[1:] == []
     assert first.get_title() == "Oc2, beyond the axis: on (to 1e+15)"

@@ -82,7 +82,9 @@ def test_drawbar_is_named(case, results, guides, words):
 def test_a_kind_is_named_where_it_is_not_the_usual_one_and_thrust_where_it_is_one_way():
     case = load(CASES / "spindle_deep_groove_rear.yaml")
     said = " ".join(summary(case, {}).split())
-    assert "a − at 42.0, b − at 62.0, rear deep groove at 302.0 (−: a push towards −x" in said
+    assert (
+        "a − at 42.0, b − at 62.0, rear deep groove at 302.0 (−: carries thrust towards −x)" in said
+    )
     assert "in O" not in said
     assert "in X" not in said
 

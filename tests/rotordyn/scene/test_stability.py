@@ -114,7 +114,7 @@ def test_divergence_is_no_mode_but_a_warning() -> None:
     assert "moves away without vibrating (divergence, a static instability" in sentence
     found = answers.results["campbell"]
     assert not found.unstable.any()
-    assert (found.stability_threshold, found.first_to_grow) == (0.0, "a divergence")
+    assert (found.stability_threshold, found.unstable_mode) == (0.0, "a divergence")
 
 
 @pytest.mark.parametrize("rotor", ["rigid", "flexible"])
@@ -129,7 +129,7 @@ def test_divergence_of_a_whirl_is_no_vibration(rotor: str) -> None:
     assert "vibrates at" not in sentence
     assert "moves away without vibrating (divergence" in sentence
     found = answers.results["campbell"]
-    assert (found.stability_threshold, found.first_to_grow) == (0.0, "a divergence")
+    assert (found.stability_threshold, found.unstable_mode) == (0.0, "a divergence")
 
 
 def test_the_speed_at_which_a_divergence_begins() -> None:
@@ -148,7 +148,7 @@ def test_the_speed_at_which_a_divergence_begins() -> None:
     )
     found = answers.results["campbell"]
     assert found.stability_threshold == pytest.approx(500.0, rel=1e-6)
-    assert found.first_to_grow == "a divergence"
+    assert found.unstable_mode == "a divergence"
 
 
 def test_receptances_of_an_unstable_machine_are_warned_of() -> None:
@@ -254,4 +254,4 @@ def test_the_threshold_of_a_swirl_that_does_not_depend_on_speed() -> None:
     for share, expected in ((0.9, math.inf), (1.1, 0.0)):
         found = solved(swirled(share * limit)).results["campbell"]
         assert found.stability_threshold == expected
-        assert (found.first_to_grow != "") == (share > 1.0)
+        assert (found.unstable_mode != "") == (share > 1.0)

@@ -61,7 +61,7 @@ def test_bearings_are_judged_wherever_they_were_solved(monkeypatch: pytest.Monke
     held = Scene(mfw2310(), conditions(), SPEEDS)
     assert held.preload.usable.all()
     assert not list(bearing_warnings(held))
-    monkeypatch.setattr("rotordyn.results.balls.GRIP", 0.03)  # the first bearing needs 0.037
+    monkeypatch.setattr("rotordyn.results.balls.OILED", 0.03)  # the first bearing needs 0.037
     assert any("friction is above 0.037" in sentence for sentence in bearing_warnings(held))
 
 

@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 import rotordyn
-from rotordyn import AxialCurve, NoLoad, Numbers, Phase, Predicted, StopMet, Unknown, identify
+from rotordyn import AxialCurve, NoLoad, Numbers, Phase, Predicted, StopReached, Unknown, identify
 from rotordyn.case.case import Case
 from rotordyn.cli import main
 from rotordyn.errors import InvalidInput, NoSolution
@@ -253,7 +253,7 @@ def test_more_unknowns_than_points(case: Case) -> None:
 
 
 def test_what_python_gives_is_held_against_the_case(case: Case) -> None:
-    stop = StopMet(name="stop", sleeve="rear", speed=1e3, deviation=1e-6)
+    stop = StopReached(name="stop", sleeve="rear", speed=1e3, deviation=1e-6)
     pushed = replace(stop, sleeve="front", force=900.0, lowest=-50.0, highest=50.0)
     one: dict[str, Unknown] = {FRONT + "friction": Unknown("0 N", "200 N")}
     refused: Sequence[tuple[Any, Any, Mapping[str, Any], str]] = (

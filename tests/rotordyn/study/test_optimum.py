@@ -543,7 +543,7 @@ goals:
   - {highest: preload.axial_load}
 limits:
   - {of: "preload: sum", at_most: 1900 N}
-  - {of: "preload: stop rear", at_least: 12000 rpm, absent: keeps}
+  - {of: "preload: stop rear", at_least: 12000 rpm, absent: satisfies}
 trials: 24
 """
 
@@ -585,7 +585,7 @@ def test_file_of_an_optimum(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
             "preload.axial_load, at_most: 5 mm",
             "9:5: limits.1: limit of 'preload.axial_load': expected a number in N",
         ),
-        ("at_most: 1900 N", "absent: keeps", "give at_least, at_most or outside"),
+        ("at_most: 1900 N", "absent: satisfies", "give at_least, at_most or outside"),
         ("highest: preload.axial_load", "where: {}", "either highest or lowest"),
         ("trials: 24", "trials: 0", "trials"),
         (

@@ -58,7 +58,7 @@ def _choice(result: Any, stiffness: Array) -> Iterator[Curve]:
     """Yield stiffness, life, heat, friction, pressure, and speed limit or static safety."""
     name = "bearing_life"
     pressure = np.fmax(result.inner_pressure, result.outer_pressure) * GIGAPASCAL.factor
-    friction = np.fmax(result.inner_grip, result.outer_grip)
+    friction = np.fmax(result.inner_required_friction, result.outer_required_friction)
     yield from _curves(result, name, "stiffness Kxx", STIFFNESS.unit, stiffness)
     yield from _curves(result, name, "L10r, 1e6", "rev", result.revolutions * 1e-6, log=True)
     if np.isfinite(result.viscous_heat).any():

@@ -91,7 +91,8 @@ def life_figure(result: BearingMapResult) -> Figure:
     last = result.contact_heat + result.viscous_heat if with_oil else result.static_safety
     _curves(axes[0], result, result.revolutions * 1e-6, label=True)
     _curves(axes[1], result, result.attitude * DEGREE.factor, of_ball=True)
-    _curves(axes[2], result, np.fmax(result.inner_grip, result.outer_grip), of_ball=True)
+    friction = np.fmax(result.inner_required_friction, result.outer_required_friction)
+    _curves(axes[2], result, friction, of_ball=True)
     _curves(axes[3], result, last)
     log_axis(axes[0])
     for panel in axes[2:]:

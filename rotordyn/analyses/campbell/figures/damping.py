@@ -71,7 +71,7 @@ def _draw(axes: Axes, result: CampbellResult, between: tuple[float, float], most
         look: dict[str, Any] = {"color": CYCLE[style % len(CYCLE)], "lw": 1.2, **marked(style)}
         back = np.nanmean(whirl) < 0.0
         x, curve = _at_jumps(rpm, ratio * 100.0, np.ptp(axes.get_ylim()))
-        if name == result.first_to_grow and not result.threshold_is_bound:
+        if name == result.unstable_mode and not result.threshold_is_bound:
             x, curve = _through_zero(x, curve, result.stability_threshold * RPM.factor)
         axes.plot(x, curve, ls=BACKWARD if back else "-", label=name, **look)
     threshold = result.stability_threshold * RPM.factor

@@ -117,7 +117,7 @@ def draw_unstable(axes: Axes, result: CampbellResult) -> None:
     for k, name in enumerate(result.mode):
         growing = np.where(result.unstable[:, k], result.frequency[:, k], np.nan)
         x, curve = result.speed, growing
-        if name == result.first_to_grow:
+        if name == result.unstable_mode:
             x, curve = _with_threshold(result, growing, result.frequency[:, k])
         if np.isfinite(curve).any():
             axes.plot(x * RPM.factor, curve, marker="o", ms=6.0, mec="none", label=label, **look)

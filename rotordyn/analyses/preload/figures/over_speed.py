@@ -68,7 +68,7 @@ def contacts_figure(result: PreloadResult) -> Figure:
             ((result.inner_angle, result.outer_angle), DEGREE.factor),
             ((result.inner_pressure, result.outer_pressure), giga),
             ((result.inner_load, result.outer_load), 1.0),
-            ((result.inner_grip, result.outer_grip), 1.0),
+            ((result.inner_required_friction, result.outer_required_friction), 1.0),
         )
     ]
     names = merged(result.bearing, *(values for pair in drawn for values in pair))

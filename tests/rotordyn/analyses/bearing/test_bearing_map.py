@@ -47,7 +47,9 @@ def test_each_entry_is_the_bearing_alone() -> None:
             assert found.inner_spin_to_roll[row, column] == pytest.approx(
                 alone.inner_spin_to_roll[0], rel=1e-9
             )
-            assert found.outer_grip[row, column] == pytest.approx(alone.outer_grip[0], rel=1e-9)
+            assert found.outer_required_friction[row, column] == pytest.approx(
+                alone.outer_required_friction[0], rel=1e-9
+            )
 
 
 def test_known_stiffness_at_30000_rpm() -> None:

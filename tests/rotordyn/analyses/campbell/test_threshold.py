@@ -37,20 +37,20 @@ def test_the_mode_that_crosses_zero_is_named_though_others_grow_farther_up() -> 
     there = whipping(found.stability_threshold / RPM)
     ratio = dict(zip(there.mode, there.damping_ratio[0], strict=True))
     assert ratio["bending 1 forward"] > 1e-3
-    assert found.first_to_grow == "bending 4 forward"
-    assert ratio[found.first_to_grow] == pytest.approx(0.0, abs=1e-8)
+    assert found.unstable_mode == "bending 4 forward"
+    assert ratio[found.unstable_mode] == pytest.approx(0.0, abs=1e-8)
 
 
 def test_what_begins_to_grow_above_the_band_is_left_to_a_wider_one() -> None:
     """Bending 4, at 506 Hz, which was called bending 3."""
     wide = whipping(0.0, 40000.0, 80000.0)
     found = whipping(0.0, 40000.0, 80000.0, highest=400.0)
-    assert wide.first_to_grow not in found.mode
-    assert found.first_to_grow == "bending 1 forward"
+    assert wide.unstable_mode not in found.mode
+    assert found.unstable_mode == "bending 1 forward"
     assert found.stability_threshold > 1.1 * wide.stability_threshold
     there = whipping(found.stability_threshold / RPM, highest=400.0)
     ratio = dict(zip(there.mode, there.damping_ratio[0], strict=True))
-    assert ratio[found.first_to_grow] == pytest.approx(0.0, abs=1e-8)
+    assert ratio[found.unstable_mode] == pytest.approx(0.0, abs=1e-8)
 
 
 def test_a_mode_that_has_left_the_band_begins_to_grow_all_the_same() -> None:
@@ -58,8 +58,8 @@ def test_a_mode_that_has_left_the_band_begins_to_grow_all_the_same() -> None:
     wide = whipping(0.0, 40000.0, 80000.0)
     found = whipping(0.0, 40000.0, 80000.0, highest=510.0)
     there = whipping(wide.stability_threshold / RPM)
-    assert there.frequency[0, there.mode.index(wide.first_to_grow)] > 510.0
-    assert found.first_to_grow == wide.first_to_grow
+    assert there.frequency[0, there.mode.index(wide.unstable_mode)] > 510.0
+    assert found.unstable_mode == wide.unstable_mode
     assert found.stability_threshold == pytest.approx(wide.stability_threshold, rel=1e-4)
 
 
@@ -126,7 +126,7 @@ def test_a_mode_that_is_stable_again_does_not_grow_on() -> None:
     found = whipping(0.0, 40000.0, 80000.0)
     assert any("4 forward is unstable from 43792 rpm on" in w for w in summary.warnings(found))
     ratio = found.damping_ratio.copy()
-    ratio[-1, found.mode.index(found.first_to_grow)] = 0.01
+    ratio[-1, found.mode.index(found.unstable_mode)] = 0.01
     again = replace(found, damping_ratio=ratio)
     assert any(w.endswith("is unstable from 43792 rpm") for w in summary.warnings(again))
 
@@ -134,7 +134,7 @@ def test_a_mode_that_is_stable_again_does_not_grow_on() -> None:
 def test_a_mode_that_is_stable_between_speeds_of_growth_does_not_grow_on() -> None:
     """Damping of a mode that falls beyond it is reported as a share."""
     found = whipping(0.0, 40000.0, 60000.0, 80000.0)
-    ratio, first = found.damping_ratio.copy(), found.mode.index(found.first_to_grow)
+    ratio, first = found.damping_ratio.copy(), found.mode.index(found.unstable_mode)
     ratio[2:, first] = 0.01, -1.0
     between = summary.warnings(replace(found, damping_ratio=ratio))
     assert any(w.endswith("is unstable from 43792 rpm") for w in between)
@@ -150,10 +150,10 @@ def test_figures_show_the_mode_grow_from_the_threshold_on() -> None:
     draw_unstable(axes, found)
     bands = [line.get_xydata()[np.isfinite(line.get_ydata())] for line in axes.get_lines()]
     begin = min((band[0] for band in bands), key=lambda point: point[0])
-    frequency = found.frequency[:, found.mode.index(found.first_to_grow)]
+    frequency = found.frequency[:, found.mode.index(found.unstable_mode)]
     assert begin == pytest.approx([at, np.interp(at, found.speed / RPM, frequency)])
     damping = damping_figure(found).axes[0]
-    (line,) = (each for each in damping.get_lines() if each.get_label() == found.first_to_grow)
+    (line,) = (each for each in damping.get_lines() if each.get_label() == found.unstable_mode)
     assert np.interp(at, line.get_xdata(), line.get_ydata()) == pytest.approx(0.0, abs=1e-9)
 
 

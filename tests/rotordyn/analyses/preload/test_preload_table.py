@@ -44,8 +44,12 @@ def test_ball_values_of_an_independent_bearing(seat: int) -> None:
         assert getattr(ours, name)[1, seat] == pytest.approx(getattr(state, name)[0], rel=1e-6)
     assert ours.deflection[1, seat] == pytest.approx(state.displacement[0], rel=1e-6)
     mg, d = ours.gyroscopic_moment[1, seat], 9.525e-3
-    assert ours.inner_grip[1, seat] == pytest.approx(mg / (d * ours.inner_load[1, seat]))
-    assert ours.outer_grip[1, seat] == pytest.approx(mg / (d * ours.outer_load[1, seat]))
+    assert ours.inner_required_friction[1, seat] == pytest.approx(
+        mg / (d * ours.inner_load[1, seat])
+    )
+    assert ours.outer_required_friction[1, seat] == pytest.approx(
+        mg / (d * ours.outer_load[1, seat])
+    )
     step = np.array([1e-8, 0, 0, 0, 0])
     ends = [
         oracle.from_displacement(state.displacement + s * step, speed, steps=12).load[0]

@@ -15,7 +15,7 @@ from rotordyn.study.identification.trial import Trial
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class StopMet(Axial):
+class StopReached(Axial):
     """A ``sleeve`` just meets its stop at a ``speed`` [rad/s], after a run-up without additional
     force, or on the falling branch of a cycle between two forces, at ``force`` [N].
 
