@@ -13,14 +13,16 @@ A kind is one frozen dataclass derived from ``BallBearing``, in a file of its ow
 4. **Loads it cannot carry.** ``refusal(load, free)`` is a sentence where a load given on a free
    component cannot be carried by this kind at all; empty by default.
 5. **Directions.** ``both_ways``: it takes thrust in both directions.
+6. **What it is ground to.** ``ground`` names the datum that stays where groove radii scatter, if it
+   is not among the fields that are given, such as the play behind a free contact angle.
 
 For that, every kind has:
 
-6. **Equilibrium** from a displacement, a load or any mix of both (``equilibrium``), batched.
-7. **State** as plain data (``bearings.ring.state.BearingState``): loads, displacements, per-ball
+7. **Equilibrium** from a displacement, a load or any mix of both (``equilibrium``), batched.
+8. **State** as plain data (``bearings.ring.state.BearingState``): loads, displacements, per-ball
    results by contact in the order of ``contact_names``, and by race.
-8. **Tangent** ∂load/∂displacement of the state.
-9. **Drawing**: ``contact_lines``, angles of the lines through a ball that carry, and the radii of
+9. **Tangent** ∂load/∂displacement of the state.
+10. **Drawing**: ``contact_lines``, angles of the lines through a ball that carry, and the radii of
    the raceways.
 """
 
@@ -233,6 +235,11 @@ class BallBearing:
     def refusal(self, load: Sequence[float], free: Sequence[bool]) -> str:
         """Why this kind cannot carry ``load`` (5,) on ``free`` (5,) DOF, or empty (contract 4)."""
         return ""
+
+    @property
+    def ground(self) -> dict[str, float | None]:
+        """Fields by which rings are ground, in place of those given as None (contract 6)."""
+        return {}
 
     def check_load(self, loads: Iterable[Any], free: Any) -> None:
         """Raise InvalidBearing for loads (s, 5) given where ``free`` (5,) by contract 4."""

@@ -62,3 +62,11 @@ class DeepGrooveBallBearing(BallBearing):
             assert self.radial_clearance is not None
             gap = self.free_distance - self.radial_clearance / 2.0
         return Grooves.of(self, radial_gap=gap)
+
+    @property
+    def ground(self) -> dict[str, float | None]:
+        """The clearance behind a free contact angle."""
+        if self.contact_angle is None:
+            return {}
+        clearance = 2.0 * self.free_distance * (1.0 - math.cos(self.contact_angle))
+        return {"contact_angle": None, "radial_clearance": clearance}

@@ -138,6 +138,13 @@ class FourPointBallBearing(BallBearing):
         return angle, axial, self._travel * (self._radial_reach() - gap)
 
     @property
+    def ground(self) -> dict[str, float | None]:
+        """The axial play behind a free contact angle."""
+        if self.contact_angle is None:
+            return {}
+        return {"contact_angle": None, "axial_play": self.plays[1]}
+
+    @property
     def grooves(self) -> Grooves:
         """Grooves whose arcs have their centres half a shim off the middle, on the far side."""
         return Grooves.of(

@@ -9,7 +9,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Set
 from typing import Any, NamedTuple
 
-from bearings import FourPointBallBearing
+from bearings import BallBearing
 from rotordyn.case.case import Case
 from rotordyn.case.varied import places
 
@@ -88,16 +88,15 @@ def usual_of(case: Case) -> Iterator[Usual]:
 
 
 def ground_plays(case: Case, paths: Iterable[str], kept: Set[str] = frozenset()) -> dict[str, Any]:
-    """Changes by path that keep the axial play of four-point bearings with values at ``paths`` that
-    are defined by a contact angle, unless the angle is among ``kept``: rings are ground to the
-    play, whatever their groove radii, and the angle follows."""
+    """Changes by path that keep the plays to which rings are ground, whatever their groove radii,
+    of bearings with values at ``paths`` that are given by a free contact angle, unless the angle is
+    among ``kept``; the angle follows."""
     changes: dict[str, Any] = {}
     for model in dict.fromkeys(path.rpartition(".")[0] for path in paths):
         for at, bearing, _ in places(case, model) if model else ():
-            angle = f"{at}.contact_angle"
-            if isinstance(bearing, FourPointBallBearing) and bearing.contact_angle is not None:
-                play = {angle: None, f"{at}.axial_play": bearing.plays[1]}
-                changes |= play if angle not in kept else {}
+            ground = bearing.ground if isinstance(bearing, BallBearing) else {}
+            play = {f"{at}.{name}": value for name, value in ground.items()}
+            changes |= play if kept.isdisjoint(play) else {}
     return changes
 
 

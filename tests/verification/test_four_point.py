@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from bearings import InvalidBearing
+import rotordyn
+from bearings import InvalidBearing, stiffness
 from tests.oracles.four_point import Drawing, Found, GrooveOracle
 from tests.oracles.groove_balance import balanced
 from tests.oracles.known_bearings import HYPOTHESES, RPM, SHARINGS
@@ -67,6 +68,31 @@ def test_angle_and_axial_play_of_a_drawing_are_refused_with_the_shims_they_mean(
         InvalidBearing, match=rf"inner_shim and outer_shim, {shims:.4g} mm together"
     ):
         replace(bearing, contact_angle=angle, axial_play=axial, radial_play=None)
+
+
+def test_contradicting_data_are_refused_with_the_shims_and_what_each_means() -> None:
+    bearing = four_point(QJ218)
+    with pytest.raises(InvalidBearing) as caught:
+        replace(bearing, contact_angle=None, axial_play=70e-6, radial_play=50e-6)
+    said = str(caught.value)
+    assert "with inner_shim 0.3574 mm, outer_shim 0.8068 mm: got axial_play 70 µm means" in said
+    assert "; radial_play 50 µm means contact_angle" in said
+
+
+def test_a_lightly_loaded_ball_may_have_two_states_at_one_displacement() -> None:
+    """With inner contacts of a few newtons and without: either is in balance, and differences of
+    the displacement solve are given only for the one that it finds."""
+    bearing, speed = rotordyn.model("bearings", "qj218"), 9962.0 * RPM
+    loaded = bearing.equilibrium(load=[360.0, 908.0, -1360.0, -20.5, 27.9], speed=speed)
+    ask = dict(displacement=loaded.displacement, speed=speed)
+    other, same = bearing.equilibrium(**ask), bearing.equilibrium(**ask, start=loaded)
+    assert same.load == pytest.approx(loaded.load, rel=1e-9)
+    assert loaded.contacts[0] == 4
+    assert other.contacts[0] == 2
+    assert (other.contacts[1:] == loaded.contacts[1:]).all()
+    assert abs(other.load[1] / loaded.load[1] - 1.0) > 5e-3
+    assert np.isnan(stiffness(loaded, "difference")).all()
+    assert stiffness(other, "difference") == pytest.approx(other.stiffness(), rel=1e-5, abs=1e-2)
 
 
 def test_balls_pressed_too_far_at_rest_are_reported_by_how_much() -> None:

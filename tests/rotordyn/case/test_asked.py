@@ -103,6 +103,25 @@ def test_four_point_bearings_are_ground_to_their_play() -> None:
         assert abs(made.plays[0] - angle) > math.radians(0.1)
 
 
+def test_deep_groove_bearings_are_ground_to_their_clearance() -> None:
+    """The one behind a free contact angle, whose conformities vary the angle."""
+    case = rotordyn.load("spindle_deep_groove_rear")
+    rear = case.spindle.seats[-1]
+    clearance, angle = rear.bearing.radial_clearance, math.radians(12.0)
+    at = "spindle.bearings.rear.model"
+    case = rotordyn.vary(case, {f"{at}.radial_clearance": None, f"{at}.contact_angle": angle})
+    bearing = case.spindle.seats[-1].bearing
+    expected = 2.0 * bearing.free_distance * (1.0 - math.cos(angle))
+    assert clearance != pytest.approx(expected, rel=0.05)
+    asked = asked_of(case)
+    assert not [each for each in asked.tolerances if each.path == f"{at}.contact_angle"]
+    changed = next(e for e in asked.tolerances if "inner_conformity" in e.path).at(1.0)
+    made = rotordyn.vary(case, changed).spindle.seats[-1].bearing
+    assert made.inner_conformity > bearing.inner_conformity
+    assert made.radial_clearance == pytest.approx(expected, rel=1e-12)
+    assert made.grooves.free_angle < angle - math.radians(0.2)
+
+
 @pytest.mark.parametrize("play", ["axial_play", "radial_play"])
 def test_a_play_that_is_given_stays_as_it_is(play: str) -> None:
     case = rotordyn.load("qj218")

@@ -530,6 +530,8 @@ def bearing(count: int = 13, warm: float = np.nan) -> BearingMapResult:
         gyroscopic_moment=0.04 * s * ones,
         inner_required_friction=0.1 * s * ones,
         outer_required_friction=0.06 * s * ones,
+        required_friction=0.02 * s * ones,
+        open_side=np.zeros(k.shape, dtype=int),
         slipping=np.full(np.broadcast_shapes(np.shape(s), np.shape(ones)), ""),
         inner_spin_to_roll=0.08 + 0.2 * s * ones,
         outer_spin_to_roll=0.01 * s * ones,

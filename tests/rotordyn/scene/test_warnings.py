@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -26,7 +27,7 @@ SPEEDS = np.array([0.0, 12000.0, 24000.0]) * RPM
 POINT = next(iter(mfw2310().points))
 
 
-def test_pressure_slip_and_grip_are_named_from_their_first_speed() -> None:
+def test_pressure_slip_and_required_friction_are_named_from_their_first_speed() -> None:
     peak = np.array([1e9, 4.5e9, 4.4e9])
     assert pressed("bearing a", SPEEDS, peak).startswith("bearing a: contact pressure 4.50 GPa")
     assert "from 12000 rpm on" in pressed("bearing a", SPEEDS, peak)
@@ -42,15 +43,15 @@ def test_pressure_slip_and_grip_are_named_from_their_first_speed() -> None:
 def test_warnings_of_balls_say_at_which_speeds() -> None:
     """Friction that is needed at speeds in the middle is not needed from there on."""
     speeds = np.array([0.0, 6000.0, 7500.0, 9000.0, 10500.0]) * RPM
-    grip = np.array([np.nan, 0.11, 0.13, 0.09, 0.07])
-    slips, factor = np.where(grip > 0.12, "inner", ""), np.where(grip > 0.1, 0.9, 1.0)
-    assert "at 2 of 5 speeds, first at 6000 rpm; raise" in friction_warning("a", speeds, grip)
-    assert "contacts from 6000 rpm on; raise" in friction_warning("a", speeds[:3], grip[:3])
+    required = np.array([np.nan, 0.11, 0.13, 0.09, 0.07])
+    slips, factor = np.where(required > 0.12, "inner", ""), np.where(required > 0.1, 0.9, 1.0)
+    assert "at 2 of 5 speeds, first at 6000 rpm; raise" in friction_warning("a", speeds, required)
+    assert "contacts from 6000 rpm on; raise" in friction_warning("a", speeds[:3], required[:3])
     assert "the inner race at 7500 rpm (friction" in slipping("a", speeds, slips)
     assert "150 °C at 2 of 5 speeds, first at 6000 rpm:" in softened(factor[:, None], speeds)
     one_of_two = np.stack([factor, np.ones(5)], axis=1)
     assert softened(one_of_two, speeds) == softened(factor[:, None], speeds)
-    assert "at 2 of 5 speeds, first at 6000 rpm:" in pressed("a", speeds, 4e10 * grip)
+    assert "at 2 of 5 speeds, first at 6000 rpm:" in pressed("a", speeds, 4e10 * required)
 
 
 def test_bearings_are_judged_wherever_they_were_solved(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -63,6 +64,30 @@ def test_bearings_are_judged_wherever_they_were_solved(monkeypatch: pytest.Monke
     assert not list(bearing_warnings(held))
     monkeypatch.setattr("rotordyn.results.balls.OILED", 0.03)  # the first bearing needs 0.037
     assert any("friction is above 0.037" in sentence for sentence in bearing_warnings(held))
+
+
+def test_balls_on_the_side_without_a_shoulder_are_reported() -> None:
+    """A ring moved against its thrust in its seat, at the second of two speeds."""
+    seat = mfw2310().seats[0]
+    travel = 2.0 * seat.bearing.grooves.free_distance
+    displaced = np.array([[[1e-6, 0, 0, 0, 0]], [[1e-6 - travel, 0, 0, 0, 0]]])
+    balls = seat.bearing.equilibrium(displacement=displaced)
+    assert (balls.status == "open side").all(axis=-1).tolist() == [[False], [True]]
+    state = SimpleNamespace(
+        speed=SPEEDS[:2],
+        usable=np.array([True, True]),
+        seat_states=lambda: [(balls, 0)],
+        lateral=None,
+        force=0.0,
+        small_shims=list,
+    )
+    scene = SimpleNamespace(preload=state, spindle=SimpleNamespace(seats=[seat]))
+    (said,) = (one for one in bearing_warnings(scene) if "shoulder" in one)
+    assert said.startswith(
+        f"bearing {seat.name}: balls bear where the rings have no shoulder from 12000 rpm on: raise"
+    )
+    state.usable[1] = False
+    assert not [one for one in bearing_warnings(scene) if "shoulder" in one]
 
 
 def test_a_bearing_that_a_radial_force_unloads_is_named() -> None:

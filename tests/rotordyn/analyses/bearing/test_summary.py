@@ -9,7 +9,7 @@ import pytest
 
 from rotordyn.analyses.bearing.solve import solve
 from rotordyn.analyses.bearing.spec import BearingMapSpec
-from rotordyn.analyses.bearing.summary import cut_off, numbers, summary
+from rotordyn.analyses.bearing.summary import cut_off, numbers, summary, warnings
 from rotordyn.analyses.bearing.tables import LAYOUTS
 from rotordyn.report.tables import tidy_columns
 from rotordyn.report.warnings import result_warnings
@@ -173,3 +173,42 @@ def test_numbers_of_a_load_have_one_name_however_it_is_held() -> None:
     assert any("as mounted" in line for line in summary(rigid))
     one, other = ({each.words for each in numbers(found, None)} for found in (rigid, sprung))  # type: ignore[arg-type]
     assert one == other
+
+
+def test_required_friction_and_the_open_side_are_reported_once_for_all_loads() -> None:
+    """Light balls that roll at speed; a radial load without an axial one to keep the side."""
+    speed = np.array([0.0, 10000.0]) * RPM
+    found = solve(VEX70, Conditions(), speed, BearingMapSpec((20.0, 50.0, 2000.0)))
+    (friction,) = (word for word in warnings(found) if "gyroscopic slip" in word)
+    assert friction.startswith("under 20 N and more: its balls roll")
+    assert f"above {found.required_friction.max():.2g}, more" in friction
+    assert friction.endswith(
+        "from 10000 rpm on; raise its preload, or set friction to compute the slip"
+    )
+    assert found.required_friction[1, 0] > 0.1 > found.required_friction[1, 2]
+    limited = solve(VEX70, replace(OUTER, friction=0.02), speed, BearingMapSpec((20.0, 2000.0)))
+    (slip,) = (word for word in warnings(limited) if "slip" in word)
+    assert slip.startswith("under 20 N: the balls slip on ")
+    assert slip.endswith("(friction as given): raise the preload, or lower the speed")
+
+    aside = solve(VEX70, OUTER, speed[:1], BearingMapSpec(radial_loads=(100.0, 1000.0)))
+    assert (aside.open_side[0] > 0).all()
+    (side,) = (word for word in warnings(aside) if "shoulder" in word)
+    assert side.startswith("under 100 N radial and more: balls bear where the rings have no")
+    kept = BearingMapSpec(radial_loads=(100.0, 1000.0), axial_load=1000.0)
+    assert not any("shoulder" in word for word in warnings(solve(VEX70, OUTER, speed[:1], kept)))
+
+
+def test_slip_is_that_of_any_driven_ball() -> None:
+    """Under a radial load the balls beside the heaviest one slip first."""
+    spec = BearingMapSpec(radial_loads=(1000.0,), axial_load=2000.0)
+    speed = np.array([20000.0]) * RPM
+    conditions = Conditions(friction=0.02)
+    found = solve(VEX70, conditions, speed, spec)
+    state = VEX70.equilibrium(
+        load=[2000.0, 1000.0, 0, 0, 0], speed=speed[0], kinematics="hybrid", friction=0.02
+    )
+    assert state.slipping[int(found.loaded_ball[0, 0])] == ""
+    driven = state.inner_load >= 0.05 * state.inner_load.max()
+    assert set(state.slipping[driven]) == {"", "inner"}
+    assert found.slipping[0, 0] == "inner"
