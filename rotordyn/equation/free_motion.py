@@ -247,10 +247,11 @@ class FreeMotions:
 
 
 def answering_stiffness(linear: Linear, signs: Signs) -> NDArray[np.inexact]:
-    """Return the stiffness (s, n, n) for motions of some signs of loss."""
+    """Return the stiffness (s, m, m) within the motions that rigid supports allow, for some signs
+    of loss."""
     if linear.loss is None:
-        return linear.stiffness
-    return linear.stiffness + linear.loss.stiffness(signs)
+        return linear.allowed_stiffness
+    return linear.allowed_stiffness + linear.within(linear.loss.stiffness(signs))
 
 
 def free_motions(linear: Linear, ceiling: float = math.inf) -> FreeMotions:

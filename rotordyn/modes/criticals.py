@@ -42,7 +42,7 @@ SLOWEST = 1e-9  # [rad/s]: slower lines are not searched for crossings
 BEYOND = 1.2  # times the highest frequency of lines: up to there modes are followed
 NARROW = 0.01  # of the range of speeds: shorter pieces of tables are not solved directly
 APART = 1e-9  # [rad/s]: closer speeds are one
-SAME, ALIKE = 1e-7, 0.5  # of the speed, MAC: one root found twice
+SAME, ALIKE = 1e-6, 0.5  # of the speed, MAC: one root found twice, at most apart by rounding
 RESONANT = math.sqrt(0.5)  # damping ratio above which no response has a peak
 FITS = 0.1  # of a frequency: a root farther from those of a mode at adjacent speeds is another
 ROUNDING = 1e-9  # of the highest frequency
@@ -136,7 +136,7 @@ def _direct(scene: Scene, branches: Sequence[Branch], subsystem: int, line: Line
     speed = scene.speed[scene.usable]
     ends = np.unique(np.concatenate([speed[[0, -1]], breakpoints_between(scene)]))
     whirling = scene.at(ends).whirling(line.size)
-    stiffness = linear.within(_symmetric(whirling.linear(subsystem).stiffness))
+    stiffness = _symmetric(whirling.linear(subsystem).allowed_stiffness)
     gyroscopic = linear.within(linear.gyroscopic)
     starts = []
     for (low, high), (slow, fast) in zip(pairwise(ends), pairwise(stiffness), strict=True):

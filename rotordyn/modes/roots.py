@@ -139,7 +139,7 @@ def _corrected(
     """
     linear, line = scene.linear(subsystem), starts[0].line.size
     signs = signs_at(line, whirling=False)
-    stiffness = linear.within(answering_stiffness(linear, signs)[rows])
+    stiffness = answering_stiffness(linear, signs)[rows]
     guess = np.asarray(np.array([s.vector for s in starts]) @ linear.basis, dtype=complex)
     damping = linear.within(linear.damping[rows])
     guessed_pole = np.asarray(1j * line * at, dtype=complex)

@@ -70,10 +70,12 @@ def changes(
     values: Callable[[Scene, Indices], Array | Complex],
     axis: int,
     least: float = 0.0,
+    rows: Indices | None = None,
 ) -> Array:
     """Return the largest change of values (few, …, n, …) by the finer model, over their largest
-    size, along all axes but ``axis``."""
-    rows = few_rows(scene)
+    size, along all axes but ``axis``; ``rows``: speeds at which they are compared, by default few.
+    """
+    rows = few_rows(scene) if rows is None else rows
     return relative_change(values(scene, rows), values(scene.refined, rows), axis, least)
 
 

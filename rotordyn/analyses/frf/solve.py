@@ -47,6 +47,7 @@ from rotordyn.scene.scene import Scene
 Answered = Callable[..., Complex]  # responses by frequency [Hz], of all pairs or a slice
 DOUBTFUL = 1e-2  # error over the peak, from which a response may be rounding alone
 NOTHING = 1e-9  # of the direct responses at both ends: less is rounding
+SENSITIVE = 3  # speeds whose poles are closest to frequencies, at which the model is compared too
 GRID = 24  # frequencies at which the finer model is compared, besides those of the modes
 UNDAMPED = 1e-9  # of the frequency: a smaller damping, or distance from a pole, is none
 BESIDE = 1e-8  # of the frequency: distance to both sides at which the reference response is taken
@@ -266,20 +267,52 @@ def _responses_of(
 
 def _errors(scene: Scene, spec: FrfSpec, frequency: Array, power: int) -> Array:
     """Largest change of each pair by the finer model over its peak (pairs,), at a few speeds and
-    frequencies."""
+    frequencies: where that is within the accuracy, at those closest to poles too."""
     error = np.zeros(len(spec.pairs))
     if scene.rigid or not len(frequency):
         return error
     if not scene.checks.wanted:
         return np.full_like(error, np.nan)
     for k, places in _by_system(scene, spec.pairs).items():
-        pairs, at = [spec.pairs[place] for place in places], _compared(scene, k, frequency)
-        values = partial(_at_few, k, pairs, at, power)
-        error[places] = np.nan_to_num(changes(scene, values, 1))
-        for place in places:
-            if error[place] > DOUBTFUL and _is_rounding(scene, k, spec.pairs[place], at):
-                error[place] = 0.0
+        chosen = partial(_changes, scene, k, [spec.pairs[place] for place in places], power)
+        error[places] = chosen(frequency, few_rows(scene))
+        if len(scene.usable) > 2 and error[places].max() <= response_accuracy(scene):
+            rows = np.union1d(few_rows(scene), _sensitive_rows(scene, k, frequency))
+            error[places] = chosen(frequency, rows)
     return error
+
+
+def _changes(
+    scene: Scene,
+    k: int,
+    pairs: Sequence[tuple[Port, Port]],
+    power: int,
+    frequency: Array,
+    rows: Indices,
+) -> Array:
+    """Largest change of each pair of a subsystem over its peak (pairs,), at the speeds ``rows``."""
+    at = _compared(scene, k, frequency, rows)
+    error = np.nan_to_num(changes(scene, partial(_at_few, k, pairs, at, power), 1, rows=rows))
+    for place, pair in enumerate(pairs):
+        if error[place] > DOUBTFUL and _is_rounding(scene, k, pair, at):
+            error[place] = 0.0
+    return error
+
+
+def _sensitive_rows(scene: Scene, k: int, frequency: Array) -> Indices:
+    """Speeds at which frequencies [Hz] are closest to poles, over these: a small error of a pole
+    changes responses most there."""
+    motions = scene.system(k)
+    hertz = frequency_of(motions, turning=scene.conditions.formulation == ROTATING)
+    place = np.clip(np.searchsorted(frequency, hertz), 1, len(frequency) - 1)
+    gap = np.minimum(*(np.abs(frequency[place - k] - hertz) for k in (0, 1)))
+    inside = (hertz >= frequency[0]) & (hertz <= frequency[-1])
+    with np.errstate(invalid="ignore", divide="ignore"):
+        distance = np.hypot(gap, motions.pole.real / (2.0 * math.pi)) / hertz
+    distance = np.broadcast_to(
+        np.where(inside, distance, np.inf), (len(scene.usable), hertz.shape[1])
+    )
+    return np.argsort(distance.min(axis=1, initial=np.inf), kind="stable")[:SENSITIVE]
 
 
 def _is_rounding(scene: Scene, k: int, pair: tuple[Port, Port], at: Array) -> bool:
@@ -297,10 +330,10 @@ def _at_few(
     return _responses_of(scene, scene.system_at(k, rows, few=True), pairs, power)(at)
 
 
-def _compared(scene: Scene, k: int, frequency: Array) -> Array:
+def _compared(scene: Scene, k: int, frequency: Array, rows: Indices) -> Array:
     """Frequencies [Hz] at which the finer model is compared: a few, and those adjacent to modes."""
     spread = np.unique(np.linspace(0, len(frequency) - 1, min(GRID, len(frequency))).astype(int))
-    motions = scene.system_at(k, few_rows(scene))
+    motions = scene.system_at(k, rows)
     hertz = frequency_of(motions, turning=scene.conditions.formulation == ROTATING)
     inside = hertz[(hertz >= frequency[0]) & (hertz <= frequency[-1])]
     after = np.searchsorted(frequency, inside)

@@ -41,19 +41,23 @@ def steady(scene: Scene, linear: Linear, spec: UnbalanceSpec, speed: Array) -> S
     is singular the motion is infinite.
     """
     force = load_of(scene, linear, spec)
-    stiffness = answering_stiffness(linear, SYNCHRONOUS)
+    stiffness, damping = answering_stiffness(linear, SYNCHRONOUS), linear.within(linear.damping)
+    whole = linear.stiffness
+    if linear.loss is not None:
+        whole = whole + linear.loss.stiffness(SYNCHRONOUS)
     moved, left = np.zeros((2, len(speed), linear.size), dtype=complex)
     for row in np.flatnonzero(speed):
         w = abs(speed[row])
-        dynamic = stiffness[row] + 1j * w * linear.damping[row] - w**2 * np.eye(linear.size)
+        dynamic = stiffness[row] + 1j * w * damping[row] - w**2 * np.eye(stiffness.shape[-1])
         load = w**2 * (force if speed[row] > 0.0 else np.conj(force))
         try:
-            reduced = np.linalg.solve(linear.within(dynamic), along(load, linear.basis))
+            reduced = np.linalg.solve(dynamic, along(load, linear.basis))
         except np.linalg.LinAlgError:
             moved[row] = left[row] = complex(np.inf, np.inf)
             continue
         moved[row] = linear.basis @ reduced
-        left[row] = load - dynamic @ moved[row]
+        inertia = w**2 * moved[row] - 1j * w * (linear.damping[row] @ moved[row])
+        left[row] = load + inertia - whole[row] @ moved[row]
     is_backward = (speed < 0.0)[:, None]
     return Steady(*(np.where(is_backward, values.conj(), values) for values in (moved, left)))
 
