@@ -78,6 +78,7 @@ def solve_spindle(
     from rotordyn.numerics.threads import linear_algebra_alone
     from rotordyn.scene.plan import reasons, spared
     from rotordyn.scene.scene import Scene
+    from rotordyn.scene.stage import SOLVE, Clock
 
     for name, spec in analyses.items():
         marks = analysis(name).marks
@@ -89,12 +90,12 @@ def solve_spindle(
         max_frequency=_highest(analyses, speeds[-1] * max(map(abs, spindle.ratios.values()))),
         ports=_ports(spindle, analyses),
         memo=memo,
+        clock=Clock(report=progress),
         checks=checks,
     )
 
     def solve(name: str, spec: Spec) -> Result:
-        scene.progress = partial(_part_done, progress, name)
-        return scene.timed(f"solve {name}", partial(analysis(name).solve, scene, spec))
+        return scene.timed(SOLVE + name, partial(analysis(name).solve, scene, spec))
 
     with linear_algebra_alone():
         if not all(analysis(name).unsteady for name in analyses):
@@ -140,10 +141,6 @@ def _solved_in_turn(
             raise
         return results, stop
     return results, None
-
-
-def _part_done(progress: Progress, name: str, done: str) -> None:
-    progress(f"{name}, {done}")
 
 
 def solve_bearing(

@@ -17,3 +17,7 @@ class Checks:
     wanted: bool = True
     worst: float = 0.0
     first: float = 0.0
+
+    def add(self, error: float) -> None:
+        """Add an error of a result, over the allowed one."""
+        self.worst = max(self.worst, error)

@@ -1,4 +1,6 @@
-"""Error by refinement: the model is solved once more, finer, at the first and the last speed.
+"""Error by refinement: the model is solved once more, finer, at a few speeds.
+
+These are the first and the last one, for responses also those with an excitation close to a pole.
 
 Finer is one degree more in every element (half the length of standard ones) and a cut-off of the
 reduction ``fineness.FINER`` times as high. The change is reported as the error of frequencies,
@@ -23,14 +25,31 @@ from rotordyn.scene.scene import Scene
 
 T = TypeVar("T")
 ROUNDS = 2
+SENSITIVE = 3  # speeds at which excitations are closest to poles
 AT_REST = 1e-6  # of the largest motion: a point that moves less stands still, but for rounding
 RESPONSES = 10.0  # error of a response over its peak, to that of frequencies: it may be as large
 
 
 def few_rows(scene: Scene) -> Indices:
-    """Return rows of the first and last usable speed: effects of speed are least and largest
-    there."""
-    return np.unique([0, len(scene.usable) - 1])
+    """Return rows of the first and last usable speed, where effects of speed are least and largest,
+    and of those nearest to the extremes of tables over speed."""
+    speed, extremes = scene.speed[scene.usable], []
+    for support in scene.spindle.supports:
+        for value in (*support.stiffness.values(), *support.damping.values()):
+            if isinstance(value, tuple):
+                extremes += [support.speeds[k] for k in (np.argmax(value), np.argmin(value))]
+    nearest = (int(np.abs(speed - at).argmin()) for at in dict.fromkeys(extremes))
+    return np.unique([0, len(speed) - 1, *nearest])
+
+
+def sensitive_rows(scene: Scene, distance: Array) -> Indices:
+    """Return ``few_rows``, and rows at which excitations are closest to poles.
+
+    A small error of a pole changes responses most there. ``distance`` (usable, k) from the poles,
+    over these.
+    """
+    closest = np.argsort(distance.min(axis=1, initial=np.inf), kind="stable")[:SENSITIVE]
+    return np.union1d(few_rows(scene), closest)
 
 
 def response_accuracy(scene: Scene) -> float:
@@ -61,7 +80,7 @@ def solve_accurately(
         scene = scene.refined
     else:
         solution = solve(scene)
-    checks.worst = max(checks.worst, estimated_error / allowed)
+    checks.add(estimated_error / allowed)
     return scene, solution
 
 

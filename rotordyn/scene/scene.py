@@ -7,7 +7,7 @@ depends on; nothing else writes into it.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from functools import cached_property, partial
 from typing import Any, cast
 
@@ -53,7 +53,7 @@ class Scene(Statics):
     ``max_frequency`` [Hz]: highest frequency any analysis asks for; ``ports``: places, or stations
     [m] on the shaft, where forces act or responses are read besides the bearings. ``finer``: steps
     by which elements and reduction are finer than the accuracy requires. ``checks``: whether errors
-    are estimated with a finer model. ``progress`` is called with the progress of a long analysis.
+    are estimated with a finer model.
     ``top_speed`` [rad/s]: speed up to which elements are sized; ``coarse``: the model of lower
     degree, in a refined one.
     """
@@ -76,7 +76,6 @@ class Scene(Statics):
         self.top_speed = float(np.abs(speed).max(initial=0.0))
         self.case_speeds, self.whirl = len(speed), 1.0
         self.coarse: Structure | None = None
-        self.progress: Callable[[str], None] = lambda _: None
         self.systems: dict[int, FreeMotions] = {}
         self._at_rows: dict[tuple[int, bytes], FreeMotions] = {}
 

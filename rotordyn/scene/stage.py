@@ -13,6 +13,7 @@ from rotordyn.allowance import require_time
 
 T = TypeVar("T")
 Inputs = tuple[Any, ...]
+SOLVE = "solve "  # before the name of an analysis: the name of its stage
 
 
 @dataclass
@@ -66,12 +67,17 @@ def _hash(inputs: Any) -> int:
 class Clock:
     """Seconds of every stage without those of nested stages, and the stage that ``asked`` for it
     first ("": the case). ``reached``: stages of any machine that it times, taken from the memo or
-    not."""
+    not. ``report`` is called with the progress of a long analysis."""
 
     seconds: dict[str, float] = field(default_factory=dict)
     asked: dict[str, str] = field(default_factory=dict)
     reached: set[str] = field(default_factory=set)
+    report: Callable[[str], None] = lambda _: None
     _running: list[tuple[str, float]] = field(default_factory=list)
+
+    def progress(self, done: str) -> None:
+        """Report what is ``done`` of the analysis that is solved."""
+        self.report(f"{self._running[0][0].removeprefix(SOLVE) if self._running else ''}, {done}")
 
     def timed(self, name: str, work: Callable[[], T]) -> T:
         """Run ``work`` and add its own seconds to ``name``."""

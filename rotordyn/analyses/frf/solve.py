@@ -41,13 +41,18 @@ from rotordyn.modes.names import named
 from rotordyn.results.display import RPM
 from rotordyn.scene.formulation import ROTATING, require_isotropic, turned
 from rotordyn.scene.lightly_damped import LIGHT
-from rotordyn.scene.refinement import changes, few_rows, response_accuracy, solve_accurately
+from rotordyn.scene.refinement import (
+    changes,
+    few_rows,
+    response_accuracy,
+    sensitive_rows,
+    solve_accurately,
+)
 from rotordyn.scene.scene import Scene
 
 Answered = Callable[..., Complex]  # responses by frequency [Hz], of all pairs or a slice
 DOUBTFUL = 1e-2  # error over the peak, from which a response may be rounding alone
 NOTHING = 1e-9  # of the direct responses at both ends: less is rounding
-SENSITIVE = 3  # speeds whose poles are closest to frequencies, at which the model is compared too
 GRID = 24  # frequencies at which the finer model is compared, besides those of the modes
 UNDAMPED = 1e-9  # of the frequency: a smaller damping, or distance from a pole, is none
 BESIDE = 1e-8  # of the frequency: distance to both sides at which the reference response is taken
@@ -277,7 +282,7 @@ def _errors(scene: Scene, spec: FrfSpec, frequency: Array, power: int) -> Array:
         chosen = partial(_changes, scene, k, [spec.pairs[place] for place in places], power)
         error[places] = chosen(frequency, few_rows(scene))
         if len(scene.usable) > 2 and error[places].max() <= response_accuracy(scene):
-            rows = np.union1d(few_rows(scene), _sensitive_rows(scene, k, frequency))
+            rows = sensitive_rows(scene, _distance(scene, k, frequency))
             error[places] = chosen(frequency, rows)
     return error
 
@@ -299,20 +304,17 @@ def _changes(
     return error
 
 
-def _sensitive_rows(scene: Scene, k: int, frequency: Array) -> Indices:
-    """Speeds at which frequencies [Hz] are closest to poles, over these: a small error of a pole
-    changes responses most there."""
+def _distance(scene: Scene, k: int, frequency: Array) -> Array:
+    """Distance of the poles from the closest of the frequencies [Hz], over the pole (usable, k);
+    infinite outside the band."""
     motions = scene.system(k)
     hertz = frequency_of(motions, turning=scene.conditions.formulation == ROTATING)
     place = np.clip(np.searchsorted(frequency, hertz), 1, len(frequency) - 1)
-    gap = np.minimum(*(np.abs(frequency[place - k] - hertz) for k in (0, 1)))
+    gap = np.minimum(*(np.abs(frequency[place - side] - hertz) for side in (0, 1)))
     inside = (hertz >= frequency[0]) & (hertz <= frequency[-1])
     with np.errstate(invalid="ignore", divide="ignore"):
         distance = np.hypot(gap, motions.pole.real / (2.0 * math.pi)) / hertz
-    distance = np.broadcast_to(
-        np.where(inside, distance, np.inf), (len(scene.usable), hertz.shape[1])
-    )
-    return np.argsort(distance.min(axis=1, initial=np.inf), kind="stable")[:SENSITIVE]
+    return np.where(inside, distance, np.inf)
 
 
 def _is_rounding(scene: Scene, k: int, pair: tuple[Port, Port], at: Array) -> bool:

@@ -68,7 +68,7 @@ def converged(
             best = _unchecked(scene, limits_of, operations)
         except InvalidInput:  # as in ``_Finer.depth``, at slow speeds: keep the last limits
             break
-    scene.checks.worst = max(scene.checks.worst, best.error / ALLOWED)
+    scene.checks.add(best.error / ALLOWED)
     return best
 
 

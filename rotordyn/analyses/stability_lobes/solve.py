@@ -49,14 +49,16 @@ def solve(scene: Scene, spec: StabilityLobesSpec) -> StabilityLobesResult:
     operations = [Operation(spec, *pair) for pair in spec.pairs]
 
     def limits_of(one: Scene, rows: Rows) -> Limits:
-        return Limits(_tip(one, spec), rows, one.speed[one.usable[rows]], scene.progress)
+        return Limits(_tip(one, spec), rows, one.speed[one.usable[rows]], scene.clock.progress)
 
     modelled = partial(_modelled, spec)
     running, limits, by_operation, error = converged(running, modelled, limits_of, operations)
     nominal = by_operation[0]
     limits_of_band = band(limits, operations, by_operation, spec.interval)
     tip_at_rest = _tip(running.at(np.zeros(1)), spec)
-    at_rest = Limits(tip_at_rest, np.zeros_like(rows), usable, scene.progress).of(operations[0])
+    at_rest = Limits(tip_at_rest, np.zeros_like(rows), usable, scene.clock.progress).of(
+        operations[0]
+    )
     even = np.full(len(usable), np.nan)
     if spec.uneven:
         even = _depths(limits.of(replace(operations[0], spec=replace(spec, pitch=()))))
@@ -156,7 +158,7 @@ def _on_measured(
     doubts = ((plane, machine.doubt(plane)) for plane in machine.fits)
     doubt = "; ".join(f"in {plane} {sentence}" for plane, sentence in doubts if sentence)
     try:
-        limits = Limits(tip, rows, speed, scene.progress).of(operation)
+        limits = Limits(tip, rows, speed, scene.clock.progress).of(operation)
     except InvalidInput as error:
         if not doubt:
             raise

@@ -145,7 +145,7 @@ def _path(
     inputs = partial(mean_inputs, spec, equation.speed)
     initial = _steady_start(spec, equation)
     step = spec.duration / count
-    return march(equation, inputs, step, count, initial, nonlinear, scene.progress)
+    return march(equation, inputs, step, count, initial, nonlinear, scene.clock.progress)
 
 
 def _steady_start(spec: TimeResponseSpec, equation: Equation) -> tuple[Array, Array]:

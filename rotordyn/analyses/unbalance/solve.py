@@ -36,7 +36,13 @@ from rotordyn.machine.squeeze_film import SqueezeFilmDamper
 from rotordyn.modes.criticals import Critical, criticals_up_to
 from rotordyn.numerics.peaks import NARROW, tops
 from rotordyn.scene.linearity import departure, ring_rows
-from rotordyn.scene.refinement import AT_REST, changes, response_accuracy, solve_accurately
+from rotordyn.scene.refinement import (
+    AT_REST,
+    changes,
+    response_accuracy,
+    sensitive_rows,
+    solve_accurately,
+)
 from rotordyn.scene.sampling import over_speed
 from rotordyn.scene.scene import Scene
 
@@ -280,4 +286,9 @@ def _errors(scene: Scene, spec: UnbalanceSpec, ratio: float) -> Array:
             parts.append(displacements(model, linear, spec, steady(model, linear, spec, speed)))
         return np.nan_to_num(np.sum(parts, axis=0))
 
-    return changes(scene, values, 1, AT_REST)
+    excited = np.abs(ratio * scene.speed[scene.usable])[:, None]
+    with np.errstate(invalid="ignore", divide="ignore"):
+        poles = [scene.system(k).pole for k in out_of_balance(scene, spec)]
+        apart = [np.abs(pole - 1j * excited) / np.abs(pole) for pole in poles]
+    distance = np.nan_to_num(np.concatenate(apart, axis=1), nan=np.inf)
+    return changes(scene, values, 1, AT_REST, sensitive_rows(scene, distance))

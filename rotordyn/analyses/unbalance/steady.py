@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rotordyn.analyses.unbalance.loads import node_loads
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
@@ -42,7 +43,7 @@ def steady(scene: Scene, linear: Linear, spec: UnbalanceSpec, speed: Array) -> S
     """
     force = load_of(scene, linear, spec)
     stiffness, damping = answering_stiffness(linear, SYNCHRONOUS), linear.within(linear.damping)
-    whole = linear.stiffness
+    whole: NDArray[np.inexact] = linear.stiffness
     if linear.loss is not None:
         whole = whole + linear.loss.stiffness(SYNCHRONOUS)
     moved, left = np.zeros((2, len(speed), linear.size), dtype=complex)

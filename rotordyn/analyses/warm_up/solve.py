@@ -60,7 +60,7 @@ def solve(scene: Scene, spec: WarmUpSpec) -> WarmUpResult:
 def _watch(scene: Scene, steps: int) -> Callable[[int], None]:
     def watch(step: int) -> None:
         require_time("warm_up", "broken off")
-        scene.progress(f"{step} of {steps} steps")
+        scene.clock.progress(f"{step} of {steps} steps")
 
     return watch
 
