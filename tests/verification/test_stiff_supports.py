@@ -12,13 +12,17 @@ import pytest
 from bearings.materials import Material
 from rotordyn.analyses.campbell import solve as campbell
 from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.equation.free_directions import free_directions
 from rotordyn.errors import InvalidInput
+from rotordyn.machine.lumped import Disc
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.loads import Unbalance
 from rotordyn.scene.scene import Scene
+from tests.oracles.spindles import answers
 from tests.oracles.spinning_beam import PinnedBeam
 
 STEEL = Material("steel", 2.1e11, 0.3, 7800.0)
@@ -102,3 +106,28 @@ def test_free_motions_stay_free_beside_stiff_springs() -> None:
 def test_stiffer_than_allowed_says_rigid() -> None:
     with pytest.raises(InvalidInput, match="or rigid: no displacement"):
         spring("a", 0.0, 2e20)
+
+
+@pytest.mark.parametrize("soft", [1e6, 100.0])
+@pytest.mark.parametrize("stiff", [1e13, 1e17, 1e20])
+def test_critical_speeds_and_orbits_are_those_of_a_rigid_support(stiff: float, soft: float) -> None:
+    """But for its give: no critical speed by rounding, none twice."""
+    shaft = Shaft(0.0, (Section(LENGTH, DIAMETER, 0.0, STEEL),))
+    disc, load = Disc("d", 0.25, 0.2, 0.05, 0.02, STEEL), Unbalance(0.25, 1e-5)
+    held = LinearSupport("a", 0.05, rigid=("y", "z"))
+    rpm = np.linspace(0.0, 10000.0 if soft > 1e3 else 100.0, 11)
+    spec = {"campbell": CampbellSpec(2000.0), "unbalance": UnbalanceSpec(("tip",), (load,))}
+    found = []
+    for first in (held, spring("a", 0.05, stiff)):
+        supports, points = (first, spring("b", 0.4, soft)), {"tip": LENGTH}
+        machine = Spindle("s", shaft, discs=(disc,), supports=supports, points=points)
+        found.append(answers(machine, rpm.tolist(), spec))
+    rigid, stiffened = found
+    allowed = 2e10 / stiff + 1e-9
+    for name in spec:
+        expected, speed = rigid[name].critical_speed, stiffened[name].critical_speed
+        assert len(speed) == len(expected) > 0
+        assert speed == pytest.approx(expected, rel=max(allowed, 1e-9 * 1e6 / soft))
+    there = np.abs(rigid["unbalance"].displacement[1:])
+    apart = np.abs(np.abs(stiffened["unbalance"].displacement[1:]) / there - 1.0)
+    assert apart.max() < 20.0 * max(allowed, 1e-9 * 1e6 / soft)

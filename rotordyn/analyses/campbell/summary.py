@@ -304,7 +304,7 @@ def _unstable_modes(result: CampbellResult) -> list[str]:
 def _stays_unstable(result: CampbellResult) -> bool:
     """Return whether the first unstable motion stays unstable at all speeds above."""
     above = np.flatnonzero(result.speed >= result.stability_threshold)
-    first = np.array([name == result.unstable_mode for name in result.mode])
+    first = np.array([name == result.unstable_mode for name in result.mode], dtype=bool)
     block = np.ix_(above, np.flatnonzero(first if first.any() else ~first))
     growing = np.atleast_1d(result.unstable[block].any(axis=1))
     valid = np.isfinite(result.frequency[block]).any(axis=1)

@@ -19,6 +19,7 @@ from rotordyn.modes.branches import Track
 from tests.oracles.rotors import support, uniform
 from tests.oracles.spindles import RPM, case
 from tests.rotordyn.analyses.campbell.test_campbell import diagram
+from tests.rotordyn.figures import samples
 
 
 @cache
@@ -201,3 +202,14 @@ def test_a_mode_that_is_not_there_has_no_line() -> None:
         missing, there = (np.isnan(line.get_ydata()) for line in axes.get_lines()[:2])
         assert missing.all()
         assert not there.any()
+
+
+def test_an_unstable_machine_without_modes_in_the_band_is_reported() -> None:
+    """Its threshold is that of a motion beyond the band."""
+    some = samples.campbell(5)
+    none = dict(damping_ratio=some.damping_ratio[:, :0], frequency=some.frequency[:, :0])
+    none |= {"pole": some.pole[:, :0], "overdamped": some.overdamped[:, :0]}
+    found = replace(some, mode=(), **none, unstable_mode="bending 1 fw")
+    found = replace(found, stability_threshold=0.5 * some.speed[-1], threshold_is_bound=False)
+    said = [word for word in summary.warnings(found) if "unstable" in word]
+    assert said == [f"bending 1 fw is unstable from {0.5 * some.speed[-1] / RPM:.0f} rpm"]
