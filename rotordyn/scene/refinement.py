@@ -25,7 +25,7 @@ from rotordyn.scene.scene import Scene
 
 T = TypeVar("T")
 ROUNDS = 2
-SENSITIVE = 3  # speeds at which excitations are closest to poles
+SENSITIVE, CLOSER = 3, 0.7  # speeds at which excitations are closest to poles, so many times
 AT_REST = 1e-6  # of the largest motion: a point that moves less stands still, but for rounding
 RESPONSES = 10.0  # error of a response over its peak, to that of frequencies: it may be as large
 
@@ -43,13 +43,14 @@ def few_rows(scene: Scene) -> Indices:
 
 
 def sensitive_rows(scene: Scene, distance: Array) -> Indices:
-    """Return ``few_rows``, and rows at which excitations are closest to poles.
+    """Return ``few_rows``, and rows at which excitations are much closer to poles than there.
 
     A small error of a pole changes responses most there. ``distance`` (usable, k) from the poles,
     over these.
     """
-    closest = np.argsort(distance.min(axis=1, initial=np.inf), kind="stable")[:SENSITIVE]
-    return np.union1d(few_rows(scene), closest)
+    rows, least = few_rows(scene), distance.min(axis=1, initial=np.inf)
+    closest = np.argsort(least, kind="stable")[:SENSITIVE]
+    return np.union1d(rows, closest[least[closest] < CLOSER * least[rows].min()])
 
 
 def response_accuracy(scene: Scene) -> float:

@@ -283,7 +283,8 @@ def _errors(scene: Scene, spec: FrfSpec, frequency: Array, power: int) -> Array:
         error[places] = chosen(frequency, few_rows(scene))
         if len(scene.usable) > 2 and error[places].max() <= response_accuracy(scene):
             rows = sensitive_rows(scene, _distance(scene, k, frequency))
-            error[places] = chosen(frequency, rows)
+            if len(rows) > len(few_rows(scene)):
+                error[places] = chosen(frequency, rows)
     return error
 
 
