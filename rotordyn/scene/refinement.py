@@ -43,14 +43,16 @@ def few_rows(scene: Scene) -> Indices:
 
 
 def sensitive_rows(scene: Scene, distance: Array) -> Indices:
-    """Return ``few_rows``, and rows at which excitations are much closer to poles than there.
+    """Return ``few_rows``, and rows at which excitations are much closer to a pole than there.
 
     A small error of a pole changes responses most there. ``distance`` (usable, k) from the poles,
     over these.
     """
-    rows, least = few_rows(scene), distance.min(axis=1, initial=np.inf)
+    rows = few_rows(scene)
+    closer = distance < CLOSER * distance[rows].min(axis=0)
+    least = np.where(closer, distance, np.inf).min(axis=1, initial=np.inf)
     closest = np.argsort(least, kind="stable")[:SENSITIVE]
-    return np.union1d(rows, closest[least[closest] < CLOSER * least[rows].min()])
+    return np.union1d(rows, closest[np.isfinite(least[closest])])
 
 
 def response_accuracy(scene: Scene) -> float:

@@ -17,6 +17,7 @@ from bearings.ring.iterate import Iterate
 from rotordyn.analyses.preload.spec import PreloadSpec
 from rotordyn.analyses.stiffness.solve import solve as stiffness_answer
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
+from rotordyn.analyses.stiffness.summary import summary as stiffness_summary
 from rotordyn.equation.mesh import build_mesh
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Section, Shaft
@@ -314,7 +315,7 @@ def test_balls_moved_with_the_shaft_or_solved_at_every_move(
 
 def test_a_load_takes_two_moves_of_the_balls(monkeypatch: pytest.MonkeyPatch) -> None:
     """One where the curve is expected, one Newton step; bearings by themselves at no load alone."""
-    found = scene(mfw2310(), np.arange(0, 24001, 2000))
+    found = scene(mfw2310(), np.arange(0, 20001, 2000))  # below the speed of the stop
     assert found.preload.usable.all()
     moves, solves = [], []
     move, solve = Balance._point, Network.solve_bearings
@@ -323,7 +324,7 @@ def test_a_load_takes_two_moves_of_the_balls(monkeypatch: pytest.MonkeyPatch) ->
         Network, "solve_bearings", lambda *a, **k: (solves.append(1), solve(*a, **k))[1]
     )
     spec = StiffnessSpec("Oc2", 500.0, 10, ("nonlinear",))
-    assert stiffness_answer(found, spec).outcome == ("",) * 13
+    assert stiffness_answer(found, spec).outcome == ("",) * 11
     assert not solves  # balls stand as the preload has them
     assert len(moves) <= 1 + 10 * 2 + 2  # no load; ten loads; stops that close
 
@@ -352,3 +353,33 @@ def test_a_negative_stiffness_as_large_as_the_machines_pushes_the_shaft_away(sha
     assert np.isnan(result.tangent).all(axis=1).tolist() == falls
     left = tangent(result, "full")[0]
     assert left == pytest.approx(tangent(stiffness(), "full")[0] - share * least, rel=1e-6)
+
+
+def test_curves_bend_where_a_stop_is_met() -> None:
+    """Between two speeds of the case: the least stiffness of the machine is there."""
+    variants = ("nonlinear", "full", "constant_preload")
+    spec = {"stiffness": StiffnessSpec("Oc2", 500.0, 1, variants), "preload": PreloadSpec()}
+    found = answers(mfw2310(), (0, 18000, 21000, 24000), spec)
+    result, closing = found["stiffness"], found["preload"].stop_speed[0]
+    assert closing / RPM == pytest.approx(20000, rel=0.03)
+    assert result.stop_speed == pytest.approx([closing, closing], rel=1e-5)
+    there = answers(mfw2310(), (closing / RPM,), {"stiffness": spec["stiffness"]})["stiffness"]
+    assert result.stop_tangent[0] == pytest.approx(there.tangent[0], rel=1e-4)
+    speed, tangent = result.curves
+    assert (np.diff(speed) > 0.0).all()
+    assert tangent[[0, 1, 4, 5]] == pytest.approx(result.tangent)
+    assert tangent[2:4, 0].max() < 0.985 * result.tangent[:, 0].min()
+    (line,) = stiffness_summary(result)
+    least = f"{tangent[:, 1].min() / 1e6:.1f} at {closing / RPM:.0f} rpm"
+    assert f"full {tangent[0, 1] / 1e6:.1f} → {tangent[-1, 1] / 1e6:.1f} (least {least})" in (
+        line.replace("\N{NO-BREAK SPACE}", " ")
+    )
+
+
+def test_a_second_stop_is_drawn_straight_where_the_first_is_met() -> None:
+    spec = {"stiffness": StiffnessSpec("Oc2", 500.0, 1, ("full",), {"front": 45e-6})}
+    result = answers(mfw2310(), (0, 18000, 24000), spec)["stiffness"]
+    assert np.isnan(result.stop_tangent[:, 1]).all()
+    speed, tangent = result.curves
+    line = np.interp(speed, result.speed, result.tangent[:, 1])
+    assert tangent[:, 1] == pytest.approx(line)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from rotordyn.arrays import Array, Words
 from rotordyn.results.declaration import Absence, coordinate, quantity
 
@@ -19,15 +21,22 @@ class StiffnessResult:
     Loads of bearings (axial ones in their own frames, x loads the balls) and where balls lose their
     contact are those along the curve of the full bearing model; balls count from 1 and the
     azimuth from y towards z of the spindle; of two balls that are mirror images one is named.
+    ``stop_speed``: on both sides of each speed at which a stop is met, where curves bend or jump.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
     variant: Words = coordinate("variant", unit="", label="bearing model")
     force: Array = coordinate("force", unit="N", label="radial force")
     bearing: Words = coordinate("bearing", unit="", label="bearing")
+    stop_speed: Array = coordinate(
+        "stop_speed", unit="rad/s", label="speed beside that at which a stop is met"
+    )
     outcome: Words = quantity("speed", unit="", label="outcome")
     deflection: Array = quantity("speed", "variant", "force", unit="m", label="deflection")
     tangent: Array = quantity("speed", "variant", unit="N/m", label="tangent stiffness at no load")
+    stop_tangent: Array = quantity(
+        "stop_speed", "variant", unit="N/m", label="tangent stiffness where a stop is met"
+    )
     secant: Array = quantity("speed", "variant", unit="N/m", label="secant stiffness at full load")
     axial_load: Array = quantity(*ALONG, unit="N", label="axial load", absent=(WITHOUT_FULL_MODEL,))
     radial_load: Array = quantity(
@@ -53,3 +62,13 @@ class StiffnessResult:
         label="azimuth of the ball that is unloaded first",
         absent=(NONE,),
     )
+
+    @property
+    def curves(self) -> tuple[Array, Array]:
+        """Tangents over all speeds (speeds + stop speeds,) and (…, variants), ascending; those of
+        other stops are interpolated where a stop of the machine is met."""
+        speed = np.concatenate([self.speed, self.stop_speed])
+        between = [np.interp(self.stop_speed, self.speed, column) for column in self.tangent.T]
+        at_stops = np.where(np.isnan(self.stop_tangent), np.transpose(between), self.stop_tangent)
+        order = np.argsort(speed, kind="stable")
+        return speed[order], np.concatenate([self.tangent, at_stops])[order]

@@ -7,7 +7,7 @@ case act besides. Tilts and the axial arrangement are free to follow.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -29,6 +29,7 @@ from rotordyn.scene.scene import Scene
 
 UNIT = np.array([0.0, 1.0, 0.0, 0.0, 0.0, 0.0])  # [N] along y
 REACHED = 1e-12  # m
+ASIDE = 2e-3  # rad/s from a speed at which a stop is met: it is open below, closed above
 SHORT_STOP = "short_stop"
 FALLS = (
     "the negative stiffness of a support exceeds the stiffness of bearings and other supports: "
@@ -48,11 +49,75 @@ class Variant:
     outcome: NDArray[np.str_]
 
 
+Variants = dict[str, Variant | RadialCurve]
+
+
 def solve(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
     """Deflection curves, tangent at no load and secant at full load (speeds, variants, …)."""
     force = np.linspace(0.0, spec.max_force, spec.steps + 1)
+    variants, nonlinear = _variants(scene, spec, force)
+    deflection = np.stack([variant.deflection for variant in variants.values()], axis=1)
+    tangent = _tangents(scene, variants)
+    deflection[scene.statically_unstable] = np.nan
+    seats = scene.spindle.seats
+    force_lost, ball = np.full((2, len(scene.usable), len(seats)), np.nan)
+    loads = np.full((len(scene.usable), len(force), len(seats), 3), np.nan)
+    if nonlinear is not None:
+        loads = nonlinear.bearings
+        force_lost = nonlinear.unloading
+        ball = np.where(np.isfinite(force_lost), nonlinear.unloaded, np.nan)
+    # balls of a bearing at thrust −x count against the azimuth of the spindle
+    per_ball = np.array([2.0 * math.pi * seat.thrust / seat.bearing.balls for seat in seats])
+    stop_speed, stop_tangent = _at_stops(scene, spec, len(variants))
+    return StiffnessResult(
+        speed=scene.speed,
+        variant=tuple(variants),
+        force=force,
+        bearing=tuple(seat.name for seat in seats),
+        stop_speed=stop_speed,
+        outcome=_outcome(scene, variants),
+        deflection=scene.scattered(deflection),
+        tangent=scene.scattered(tangent),
+        stop_tangent=stop_tangent,
+        secant=scene.scattered(_secant(force, deflection)),
+        axial_load=scene.scattered(loads[..., 0]),
+        radial_load=scene.scattered(loads[..., 1]),
+        ball_load=scene.scattered(loads[..., 2]),
+        unloading_force=scene.scattered(force_lost),
+        unloaded_ball=scene.scattered(ball + 1.0),
+        unloaded_azimuth=scene.scattered(np.mod(ball * per_ball, 2.0 * math.pi)),
+    )
+
+
+def _tangents(scene: Scene, variants: Variants) -> Array:
+    """Tangents at no load (usable, variants), NaN where the machine is statically unstable."""
+    tangent = np.stack([variant.tangent for variant in variants.values()], axis=1)
+    tangent[scene.statically_unstable] = np.nan
+    return tangent
+
+
+def _at_stops(scene: Scene, spec: StiffnessSpec, count: int) -> tuple[Array, Array]:
+    """Speeds on both sides of those at which a sleeve meets its stop, within those of the case, and
+    the tangents there (speeds, variants); NaN for other stops, which are met elsewhere."""
+    closing = scene.stop_speeds[np.isfinite(scene.stop_speeds)]
+    sides = np.unique(np.concatenate([closing - ASIDE, closing + ASIDE]))
+    first, last = scene.speed[scene.usable[[0, -1]]]
+    sides = sides[(sides > first) & (sides < last)]
+    if not sides.size:
+        return sides, np.zeros((0, count))
+    there, tangent = scene.at(sides), np.full((sides.size, count), np.nan)
+    if spec.variants:
+        variants, _ = _variants(there, replace(spec, second_stop={}), np.zeros(1))
+        tangent[:, : len(variants)] = there.scattered(_tangents(there, variants))
+    return sides, tangent
+
+
+def _variants(
+    scene: Scene, spec: StiffnessSpec, force: Array
+) -> tuple[Variants, RadialCurve | None]:
+    """Solve all variants; the full bearing model where one of them needs it."""
     rotor = _rotor(scene, spec)
-    variants: dict[str, Variant | RadialCurve] = {}
+    variants: Variants = {}
     rows, outcome = scene.bearing_row[scene.usable], np.where(scene.statically_unstable, FALLS, "")
     curves = partial(_nonlinear, scene.preload, rotor, rows, force, outcome)
     nonlinear = None
@@ -67,34 +132,7 @@ def solve(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
     if nonlinear is not None and spec.second_stop:
         short = partial(_short_stop, scene, spec, force, nonlinear)
         variants[SHORT_STOP] = scene.timed(f"stiffness: {SHORT_STOP}", short)
-    deflection = np.stack([variant.deflection for variant in variants.values()], axis=1)
-    tangent = np.stack([variant.tangent for variant in variants.values()], axis=1)
-    deflection[scene.statically_unstable], tangent[scene.statically_unstable] = np.nan, np.nan
-    seats = scene.spindle.seats
-    force_lost, ball = np.full((2, len(scene.usable), len(seats)), np.nan)
-    loads = np.full((len(scene.usable), len(force), len(seats), 3), np.nan)
-    if nonlinear is not None:
-        loads = nonlinear.bearings
-        force_lost = nonlinear.unloading
-        ball = np.where(np.isfinite(force_lost), nonlinear.unloaded, np.nan)
-    # balls of a bearing at thrust −x count against the azimuth of the spindle
-    per_ball = np.array([2.0 * math.pi * seat.thrust / seat.bearing.balls for seat in seats])
-    return StiffnessResult(
-        speed=scene.speed,
-        variant=tuple(variants),
-        force=force,
-        bearing=tuple(seat.name for seat in seats),
-        outcome=_outcome(scene, variants),
-        deflection=scene.scattered(deflection),
-        tangent=scene.scattered(tangent),
-        secant=scene.scattered(_secant(force, deflection)),
-        axial_load=scene.scattered(loads[..., 0]),
-        radial_load=scene.scattered(loads[..., 1]),
-        ball_load=scene.scattered(loads[..., 2]),
-        unloading_force=scene.scattered(force_lost),
-        unloaded_ball=scene.scattered(ball + 1.0),
-        unloaded_azimuth=scene.scattered(np.mod(ball * per_ball, 2.0 * math.pi)),
-    )
+    return variants, nonlinear
 
 
 def _secant(force: Array, deflection: Array) -> Array:
@@ -125,7 +163,7 @@ def _rotor(
     return plane_rotor(scene.rotor, speeds, place, force)
 
 
-def _outcome(scene: Scene, variants: dict[str, Variant | RadialCurve]) -> tuple[str, ...]:
+def _outcome(scene: Scene, variants: Variants) -> tuple[str, ...]:
     """Per speed: why the machine, or else the first variant that fails, has no solution."""
     outcome = list(scene.outcome)
     for place, row in enumerate(scene.usable):

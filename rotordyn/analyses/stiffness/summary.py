@@ -16,9 +16,10 @@ from rotordyn.results.text import over_speed, unbroken
 
 def summary(result: StiffnessResult) -> list[str]:
     """Tangent stiffness by bearing model over speed."""
+    speed, tangent = result.curves
     values = ", ".join(
-        unbroken(f"{name.replace('_', ' ')} {over_speed(values, result.speed)}")
-        for name, values in zip(result.variant, result.tangent.T * STIFFNESS.factor, strict=True)
+        unbroken(f"{name.replace('_', ' ')} {over_speed(values, speed)}")
+        for name, values in zip(result.variant, tangent.T * STIFFNESS.factor, strict=True)
     )
     return [f"stiffness  radial, tangent [N/µm] {values}"]
 

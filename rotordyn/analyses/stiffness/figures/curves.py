@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from rotordyn.figures.legends import legend
 from rotordyn.figures.style import (
     CYCLE,
     FONT_SIZE,
+    GREY,
     add_axes,
     evenly,
     grid_boxes,
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+STOP: Any = {"color": GREY, "lw": 0.9, "ls": ":", "zorder": 1.0}
 APART, BESIDE = 0.06, 0.68  # of the height and width of axes: labels of lost contacts
 
 
@@ -40,10 +42,12 @@ def stiffness_figure(
     axes = add_axes(
         figure, (15.0, 11.0, 147.0, 84.0), "speed [rpm]", f"radial stiffness{where} [N/µm]"
     )
-    rpm = result.speed * RPM.factor
+    rpm, tangent = result.curves[0] * RPM.factor, result.curves[1]
     speed_ticks(axes, float(rpm[-1]))
     names = [name.replace("_", " ") for name in result.variant]
-    draw_columns(axes, rpm, result.tangent * STIFFNESS.factor, names)
+    draw_columns(axes, rpm, tangent * STIFFNESS.factor, names)
+    for k, closing in enumerate(result.stop_speed[::2]):
+        axes.axvline(float(closing * RPM.factor), label="" if k else "a stop is met", **STOP)
     colours = {name: CYCLE[k % len(CYCLE)] for k, name in enumerate(result.variant)}
     mark_few_points(axes)
     draw_references(
