@@ -1,7 +1,5 @@
 """Error by refinement: the model is solved once more, finer, at a few speeds.
 
-These are the first and the last one, for responses also those with an excitation close to a pole.
-
 Finer is one degree more in every element (half the length of standard ones) and a cut-off of the
 reduction ``fineness.FINER`` times as high. The change is reported as the error of frequencies,
 receptances and orbits. Where it is more than the accuracy asked for, the finer model takes
