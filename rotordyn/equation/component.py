@@ -9,6 +9,7 @@ Theory: docs/theory/reduction.md.
 
 from __future__ import annotations
 
+import hashlib
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -175,7 +176,7 @@ class Component:
         ]
         key = (
             self.local(self.ports).tobytes(),
-            *((name, rows.tobytes(), blocks.tobytes()) for name, rows, blocks in parts),
+            *((name, _digest(rows), _digest(blocks)) for name, rows, blocks in parts),
         )
         if key not in self.solved:
             self.solved[key] = self._of_shaft()
@@ -213,3 +214,8 @@ class Component:
         stiff = np.maximum(np.sqrt(basis.values) / (HEAVIEST * self.cutoff), 1.0)
         roots = basis.roots / stiff[:, None] / stiff
         return basis.vectors / stiff, basis.values / stiff**2, roots
+
+
+def _digest(values: Array | Indices) -> bytes:
+    """Return what stands for ``values`` as a key: those of large shafts take much memory."""
+    return hashlib.blake2b(values.tobytes()).digest()
