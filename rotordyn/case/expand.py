@@ -3,26 +3,22 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from bearings.kinds import KINDS
 from bearings.materials import Material
-from rotordyn import units
-from rotordyn.analyses.stability_lobes.workpiece import Workpiece
 from rotordyn.case.document import read_document
 from rotordyn.case.faults import Faults
 from rotordyn.case.keys import COMMON, bearing_class, keys_of, kinds_with
 from rotordyn.case.library import find
 from rotordyn.case.named_models import MODELS, Way, ways_to
-from rotordyn.case.node import UNKNOWN, Node, matching
+from rotordyn.case.node import UNKNOWN, Node, matching, merged
 from rotordyn.case.override import apply
 from rotordyn.case.reading import spread
 from rotordyn.case.table import tabled
 from rotordyn.errors import InvalidInput
-from rotordyn.machine.assembly import unknown
 from rotordyn.machine.flexible_rings import SIZES
 from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.spindle import Spindle
@@ -66,6 +62,10 @@ class Reader:
             return None
         root = self.document(path) if self._exists(path, reference) else None
         return root and replace(root, named=reference)
+
+    def named(self, kind: type, node: Node) -> Node | None:
+        """Mapping of a model of this ``kind``: the node itself, or that of the file it names."""
+        return node if isinstance(node.value, dict) else self.model(MODELS[kind], node)
 
     def beside(self, reference: Node) -> Path | None:
         """Path of the file that ``reference`` names, relative to the file with the reference."""
@@ -113,16 +113,12 @@ def spindle(reference: Node, override: Mapping[str, Node], reader: Reader) -> No
     put(0)
     _fill(root, Spindle, reader)
     for seat in root.listed("bearings"):
-        _bearing_of_seat(root, seat, reader)
+        bearing_of_seat(seat, reader, root.child("bearing_override"))
     put(1)
     for kind, way in _SHARING.items():
         if (holder := root.child(*way)) is not None:
             spread(kind, holder)
     put(2)
-    _fill(root, Spindle, reader)  # the materials that overrides name
-    for seat in root.listed("bearings"):
-        if (model := seat.child("model")) is not None:
-            _fill(model, _kind_of(model), reader)
     for support in root.listed("supports"):
         _table_of_support(support, reader)
     return root
@@ -152,27 +148,13 @@ def _leads(path: str, ways: Iterable[Way]) -> bool:
     )
 
 
-def tool(reference: Node, reader: Reader) -> Node | None:
-    """Tree of the tool with its materials filled in."""
+def tool(reference: Node, override: Mapping[str, Node], reader: Reader) -> Node | None:
+    """Tree of the tool with its materials filled in, and overrides."""
     root = reader.model("tools", reference)
     if root is not None:
         _fill(root, Tool, reader)
+        apply(override, root, reader.faults)
     return root
-
-
-def asked(node: Node, spec: type, reader: Reader) -> None:
-    """Fill in the models that an analysis names.
-
-    A workpiece that cannot be read gets unknown coefficients, so that its absence is not reported
-    in addition.
-    """
-    _fill(node, spec, reader)
-    for holder, key, named in _naming(node, Tool, spec):
-        _set(holder, key, tool(named, reader))
-    for holder, key, named in _naming(node, Workpiece, spec):
-        _set(holder, key, reader.model(MODELS[Workpiece], named))
-        if (held := holder.at(key)).value is UNKNOWN:
-            holder.value[key] = replace(named, value={"coefficients": held})
 
 
 def ring_sizes(case: Node, model: Node | None) -> None:
@@ -195,11 +177,6 @@ def bearing(
         return None
     for changes in overrides:
         apply(changes, root, reader.faults)
-    kind = root.child("kind")
-    if kind is not None and kind.value not in tuple(KINDS):
-        for why in unknown("kind of bearing", kind.raw or units.shown(kind.plain()), KINDS):
-            reader.faults.at(root.at("kind"), why)
-        return None
     _forget_nulls(root)
     _fill(root, _kind_of(root), reader)
     return root
@@ -218,11 +195,13 @@ def _forget_nulls(bearing: Node) -> None:
             del bearing.value[key]
 
 
-def _bearing_of_seat(root: Node, seat: Node, reader: Reader) -> None:
-    reference = seat.child("model")
-    if reference is not None:
-        overrides = (root.entries("bearing_override"), seat.entries("model_override"))
-        _set(seat, "model", bearing(reference, overrides, reader))
+def bearing_of_seat(seat: Node, reader: Reader, shared: Node | None = None) -> None:
+    """Fill in the model of a bearing on the shaft, with its overrides and ``shared`` ones."""
+    override = merged(shared, seat.child("model_override"))
+    if override is not None:
+        seat.value["model_override"] = override
+    if (reference := seat.child("model")) is not None:
+        _set(seat, "model", bearing(reference, (seat.entries("model_override"),), reader))
 
 
 def _table_of_support(support: Node, reader: Reader) -> None:
@@ -237,18 +216,12 @@ def _table_of_support(support: Node, reader: Reader) -> None:
 
 
 def _fill(root: Node, kind: Any, reader: Reader) -> None:
-    """Fill in the materials that a file of this ``kind`` names."""
-    for holder, key, named in _naming(root, Material, kind):
-        _set(holder, key, reader.model(MODELS[Material], named))
-
-
-def _naming(root: Node, model: type, kind: Any) -> Iterator[tuple[Node, str, Node]]:
-    """Yield mapping, key and value of each name of a ``model`` in a file of this ``kind``."""
-    for *way, key in ways_to(model, kind):
+    """Fill in the materials that a file of this ``kind`` names, for overrides within them."""
+    for *way, key in ways_to(Material, kind):
         for holder in matching(root, tuple(way)):
             named = holder.child(key)
             if named is not None and named.value is not UNKNOWN:
-                yield holder, key, named
+                _set(holder, key, reader.model(MODELS[Material], named))
 
 
 def _set(holder: Node, key: str, model: Node | None) -> None:

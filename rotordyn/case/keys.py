@@ -378,6 +378,13 @@ def _common(each: Common) -> Iterator[Field]:
             yield Field("", keys, inner.annotation, each.meaning, None)
 
 
+@cache
+def shared_by(kind: Any) -> tuple[str, ...]:
+    """Keys of items of this kind that may be given once for all of them."""
+    listed = (each for commons in COMMON.values() for each in commons if each.meaning)
+    return tuple(dict.fromkeys(each.fills[-1] for each in listed if each.kind is kind))
+
+
 def bearing_class(word: object) -> Any:
     """Class of bearing by the word for its kind; the default class for an unknown word."""
     return kind_class(word if isinstance(word, str) and word in KINDS else DEFAULT)

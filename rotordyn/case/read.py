@@ -18,7 +18,7 @@ from rotordyn.case.forms import reading_of
 from rotordyn.case.library import find_case, sources_in
 from rotordyn.case.machines import named_once, read_spindle
 from rotordyn.case.node import Node
-from rotordyn.case.variants import tools_compared, unprefixed, variant_trees
+from rotordyn.case.variants import from_the_top, overrides, tools_compared, variant_trees
 from rotordyn.description import Faults as Rules
 from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
@@ -46,17 +46,17 @@ def load(path: str | Path) -> Case:
     file = find_case(path if isinstance(path, str) else Path(path))
     root, reader = expand.opened(file)
     of_tools = "tools" in root.entries()
-    root = unprefixed(tools_compared(root, reader.faults), reader.faults)
+    root = from_the_top(tools_compared(root, reader.faults), reader.faults)
     whole = _case(root, file.stem, reader)
     made: dict[str, Case] = {}
     if not reader.faults and (many := len(root.entries("compare"))) > MOST_VARIANTS:
         why = f"too many variants: given {many}; allowed: up to {MOST_VARIANTS}, more in a study "
         reader.faults.at_key(root.at("compare"), f"{why}(rotordyn sweep)")
     if not reader.faults:
-        for name, tree in variant_trees(root).items():
+        for name, tree in variant_trees(root, reader.faults).items():
             reader.faults.variant = name
-            tool = expand.tool(root.at("compare", name, "tool"), reader) if of_tools else None
-            title = root.child("compare", name, "title") if tool is None else tool.child("title")
+            tool = expand.tool(root.at("compare", name, "tool"), {}, reader) if of_tools else None
+            title = (tool or tree).child("title")
             variant = _case(tree, name, reader)
             if variant is not None:
                 written = str(title.value).strip() if title is not None else ""
@@ -100,21 +100,21 @@ def _case(root: Node, name: str, reader: expand.Reader) -> Case | None:
         return None
     named_once(root, faults)
     reading = reading_of(reader)
-    override, tree = root.entries("override"), root
+    override, tree = overrides(root, faults), root
     spindle = bearing = fitted = None
     usable = False
     if (reference := root.child("spindle")) is not None:
-        expanded = expand.spindle(reference, override, reader)
+        expanded = expand.spindle(reference, override["spindle"], reader)
         tool = root.child("tool")
-        clamped = expand.tool(tool, reader) if tool is not None else None
-        if clamped is not None and "references" in override:
+        clamped = expand.tool(tool, override["tool"], reader) if tool is not None else None
+        if clamped is not None and "references" in override["spindle"]:
             clamped.value.pop("references", None)  # those of the machine as a whole are given
         usable = expanded is not None and (tool is None or clamped is not None)
         if expanded is not None:
             spindle, fitted, machine = read_spindle(reading, expanded, clamped)
             tree = replace(root, value={**root.value, "spindle": machine})
     if (reference := root.child("bearing")) is not None:
-        expanded = expand.bearing(reference, (override,), reader)
+        expanded = expand.bearing(reference, (override["bearing"],), reader)
         bearing = None if expanded is None else reading.value(BallBearing, expanded)
         expand.ring_sizes(root, expanded)
         usable = usable or bearing is not None

@@ -7,6 +7,8 @@ from pathlib import Path
 
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node, merged, overlaid
+from rotordyn.case.override import apply
+from rotordyn.case.varied import IN_FILES, from_top, turn_of
 
 _MERGED = ("override", "references")
 
@@ -34,43 +36,60 @@ def tools_compared(root: Node, faults: Faults) -> Node:
     return replace(root, value=content)
 
 
-def unprefixed(root: Node, faults: Faults) -> Node:
-    """Remove the optional prefix ``spindle.`` (``bearing.``) from the paths of overrides."""
+def from_the_top(root: Node, faults: Faults) -> Node:
+    """Write the paths of overrides from the top of the case, and make those changes that concern
+    neither its machine nor its tool."""
     tree = root.copy()
-    machine = "spindle" if root.child("spindle") is not None else "bearing"
     for holder in (tree, *tree.entries("compare").values()):
-        _cut(holder, machine, faults)
+        override = holder.entries("override")
+        for path in sorted(override, key=turn_of):
+            value, whole = override.pop(path), from_top(path, "spindle" in root.value, IN_FILES)
+            if whole in override:
+                given = whole.partition(".")
+                why = f"given twice: '{given[2]}', with and without '{given[0]}.' before it"
+                faults.at_key(value, why)
+            override[whole] = value
+    _settle(tree, faults)
     return tree
 
 
-def _cut(holder: Node, machine: str, faults: Faults) -> None:
-    override = holder.child("override")
-    if override is None or not isinstance(override.value, dict):
-        return
-    short: dict[str, Node] = {}
-    for path, value in override.value.items():
-        name = path.removeprefix(f"{machine}.") if isinstance(path, str) else path
-        if name in short:
-            faults.at_key(value, f"given twice: '{name}', with and without '{machine}.' before it")
-        short[name] = value
-    override.value = short
+def _settle(tree: Node, faults: Faults) -> None:
+    """Make the changes of overrides that concern neither machine nor tool."""
+    override = tree.entries("override")
+    for path in [*override]:
+        if not path.startswith(("spindle.", "bearing.", "tool.")):
+            apply({path: override.pop(path)}, tree, faults)
 
 
-def variant_trees(root: Node) -> dict[str, Node]:
+def overrides(root: Node, faults: Faults) -> dict[str, dict[str, Node]]:
+    """Changes by their path within spindle, bearing and tool."""
+    within: dict[str, dict[str, Node]] = {"spindle": {}, "bearing": {}, "tool": {}}
+    for path, value in root.entries("override").items():
+        part, _, rest = path.partition(".")
+        within[part][rest] = value
+        if root.child(part) is None and (root.child("spindle") or root.child("bearing")):
+            faults.at_key(value, f"leads into the {part}, and this case has none: leave it out")
+    return within
+
+
+def variant_trees(root: Node, faults: Faults) -> dict[str, Node]:
     """Tree of each variant in ``compare`` of the case in ``root``, by name.
 
     Machine and title are replaced; overrides are merged path by path, conditions key by key at any
     depth; references are added. Every node keeps its place in the file.
     """
-    return {name: _changed(root, changes) for name, changes in root.entries("compare").items()}
+    trees = root.entries("compare").items()
+    return {name: _changed(root, changes, faults) for name, changes in trees}
 
 
-def _changed(root: Node, changes: Node) -> Node:
+def _changed(root: Node, changes: Node, faults: Faults) -> Node:
     tree = root.copy()
-    del tree.value["compare"]
+    for key in ("compare", "title"):
+        tree.value.pop(key, None)
     for key, value in changes.entries().items():
         if key == "conditions":
             tree.value[key] = overlaid(tree.child(key), value)
         else:
             tree.value[key] = merged(tree.child(key), value) if key in _MERGED else value
+    _settle(tree, faults)
     return tree

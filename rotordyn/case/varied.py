@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, is_dataclass
 from itertools import chain
 from typing import Annotated, Any
@@ -17,7 +17,10 @@ from rotordyn.quantity import HIDDEN, Quantity
 from rotordyn.units import KINDS, parse_unit
 
 OF_CASES = ("spindle", "bearing", "conditions")
+OF_CASE = frozenset(field.keys[0] if field.keys else field.name for field in declared(Case))
 APART = (("name",), ("title",), ("references",))  # no result depends on these
+# Those that overrides in files may change; a file adds its references to those of its machine.
+IN_FILES = {field.keys[0] for field in declared(Case) if field.keys} - {"references"} | {"tool"}
 Leaf = tuple[Any, Quantity | None]
 Steps = tuple[str, ...]
 
@@ -71,9 +74,29 @@ def found_at(case: Case, path: str, *, absent: bool = False) -> list[tuple[Any, 
 
 
 def places(case: Case, path: str, *, absent: bool = False) -> list[tuple[str, Any, Any]]:
-    """Like ``found_at``, each with its own path in which ``*`` is replaced."""
-    matches = _at(case, tuple(path.split(".")), None, (), absent)
+    """Like ``found_at``, each with its own path from the top, in which ``*`` is replaced."""
+    steps = from_top(path, case.bearing is None).split(".")
+    matches = _at(case, tuple(steps), None, (), absent)
     return [(".".join(way), value, annotation) for way, value, annotation in matches]
+
+
+def held_at(value: Any, steps: Steps) -> list[Any]:
+    """Values at ``steps`` within a description."""
+    return [held for _, held, _ in _at(value, steps, None, (), False)]
+
+
+def from_top(path: str, spindle: bool, keys: Collection[str] = OF_CASE) -> str:
+    """A path from the top of a case, of a ``spindle`` or a single bearing: one that begins with
+    none of the ``keys`` of the case lies in its machine."""
+    if path.partition(".")[0] in keys:
+        return path
+    return f"spindle.{path}" if spindle else f"bearing.{path}"
+
+
+def turn_of(path: str) -> tuple[int, int]:
+    """Sort key of paths that are changed together: what is within something, and one item of all,
+    come later."""
+    return path.count("."), -path.count("*")
 
 
 def _at(
@@ -179,5 +202,5 @@ def ways_of_items(holder: Any, common: Common, steps: Steps) -> list[Steps]:
     kind: Any = type(holder)
     name = next(field.name for field in declared(kind) if field.keys == (listed,))
     rest = (key, *steps[len(common.keys) :])
-    items = [each for each in getattr(holder, name) if hasattr(each, "own")]
-    return [(listed, each.name, *rest) for each in items if key not in each.own]
+    items = enumerate(getattr(holder, name), start=1)
+    return [(listed, called_at(k, each), *rest) for k, each in items if key not in each.own]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Annotated
+from typing import Annotated, Any
 
 from bearings.ball.law import KINEMATICS, MOMENT_SHARING, Law
 from bearings.bearing import BallBearing
@@ -58,7 +58,7 @@ class BearingSeat(Description):
     [N·s/m] acts between its rings; tilt is not damped. ``own``: keys given here among those that a
     spindle gives for all bearings; ``sizes``: of its rings, from its model, for fits [m];
     ``by_set``: its set gives the thrust; ``preloads``: of a pair by the classes of its maker,
-    light, medium, heavy [N].
+    light, medium, heavy [N]; ``override``: what the files change of any model here, as written.
     """
 
     name: Annotated[Name, "name of this bearing"]
@@ -104,6 +104,9 @@ class BearingSeat(Description):
     )
     by_set: Annotated[bool, HIDDEN] = field(default=False, repr=False, compare=False)
     preloads: Annotated[tuple[Load, ...], HIDDEN] = field(default=(), repr=False, compare=False)
+    override: Annotated[Mapping[str, Any], HIDDEN] = field(
+        default_factory=dict, repr=False, compare=False
+    )
 
     def __post_init__(self) -> None:
         given, bearing = self.thrust, self.known_bearing
