@@ -8,13 +8,12 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from bearings.materials import Material
 from rotordyn.case.document import read_document
 from rotordyn.case.faults import Faults
 from rotordyn.case.keys import COMMON, bearing_class, keys_of, kinds_with
 from rotordyn.case.library import find
-from rotordyn.case.named_models import MODELS, Way, ways_to
-from rotordyn.case.node import UNKNOWN, Node, matching, merged
+from rotordyn.case.named_models import MODELS
+from rotordyn.case.node import UNKNOWN, Node, merged
 from rotordyn.case.override import apply
 from rotordyn.case.reading import spread
 from rotordyn.case.table import tabled
@@ -22,7 +21,9 @@ from rotordyn.errors import InvalidInput
 from rotordyn.machine.flexible_rings import SIZES
 from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.tool import Tool
+
+# Folder of the models that a key names, by the last word of the key (``ball_material``).
+NAMED = {"material": "materials", "tool": "tools", "workpiece": "workpieces"}
 
 
 @dataclass
@@ -67,6 +68,13 @@ class Reader:
         """Mapping of a model of this ``kind``: the node itself, or that of the file it names."""
         return node if isinstance(node.value, dict) else self.model(MODELS[kind], node)
 
+    def opened(self, key: str, node: Node) -> Node:
+        """What a path leads into at ``key``: the mapping of a model if it may be named there."""
+        folder = NAMED.get(key.rpartition("_")[2])
+        if not folder or isinstance(node.value, dict):
+            return node
+        return self.model(folder, node) or replace(node, value=UNKNOWN)
+
     def beside(self, reference: Node) -> Path | None:
         """Path of the file that ``reference`` names, relative to the file with the reference."""
         path = self.folders[reference.file].parent / Path(reference.value).expanduser()
@@ -106,19 +114,15 @@ def spindle(reference: Node, override: Mapping[str, Node], reader: Reader) -> No
     if root is None:
         return None
 
-    def put(turn: int) -> None:
-        changes = {path: value for path, value in override.items() if _turn(path) == turn}
-        apply(changes, root, reader.faults)
-
-    put(0)
-    _fill(root, Spindle, reader)
+    inner = {path: value for path, value in override.items() if _inner(path)}
+    outer = {path: value for path, value in override.items() if path not in inner}
+    apply(outer, root, reader.faults, reader.opened)
     for seat in root.listed("bearings"):
         bearing_of_seat(seat, reader, root.child("bearing_override"))
-    put(1)
     for kind, way in _SHARING.items():
         if (holder := root.child(*way)) is not None:
             spread(kind, holder)
-    put(2)
+    apply(inner, root, reader.faults, reader.opened)
     for support in root.listed("supports"):
         _table_of_support(support, reader)
     return root
@@ -130,31 +134,14 @@ _INNER = [("bearings", "*", "model")] + [
 ]
 
 
-def _turn(path: str) -> int:
-    """Order in which an override is applied: 0, before models are filled in; 1, inside a material;
-    2, inside a bearing model or a shared value, after overrides for all items."""
-    if _leads(path, _INNER):
-        return 2
-    return int(_leads(path, ways_to(Material, Spindle)))
-
-
-def _leads(path: str, ways: Iterable[Way]) -> bool:
-    """Whether a path continues inside the value at the end of one of ``ways``."""
+def _inner(path: str) -> bool:
+    """Whether a path leads into a bearing model or a shared value, which are filled in before."""
     steps = path.split(".")
     return any(
         len(steps) > len(way)
         and all(key in ("*", step) for key, step in zip(way, steps, strict=False))
-        for way in ways
+        for way in _INNER
     )
-
-
-def tool(reference: Node, override: Mapping[str, Node], reader: Reader) -> Node | None:
-    """Tree of the tool with its materials filled in, and overrides."""
-    root = reader.model("tools", reference)
-    if root is not None:
-        _fill(root, Tool, reader)
-        apply(override, root, reader.faults)
-    return root
 
 
 def ring_sizes(case: Node, model: Node | None) -> None:
@@ -171,14 +158,13 @@ def ring_sizes(case: Node, model: Node | None) -> None:
 def bearing(
     reference: Node, overrides: Iterable[Mapping[str, Node]], reader: Reader
 ) -> Node | None:
-    """Tree of the bearing model with overrides and materials filled in."""
+    """Tree of the bearing model with overrides."""
     root = reader.model("bearings", reference)
     if root is None:
         return None
     for changes in overrides:
-        apply(changes, root, reader.faults)
+        apply(changes, root, reader.faults, reader.opened)
     _forget_nulls(root)
-    _fill(root, _kind_of(root), reader)
     return root
 
 
@@ -213,15 +199,6 @@ def _table_of_support(support: Node, reader: Reader) -> None:
         support.value["table"] = replace(reference, value=UNKNOWN)
         return
     tabled(support, path, reader.faults, reader.contents)
-
-
-def _fill(root: Node, kind: Any, reader: Reader) -> None:
-    """Fill in the materials that a file of this ``kind`` names, for overrides within them."""
-    for *way, key in ways_to(Material, kind):
-        for holder in matching(root, tuple(way)):
-            named = holder.child(key)
-            if named is not None and named.value is not UNKNOWN:
-                _set(holder, key, reader.model(MODELS[Material], named))
 
 
 def _set(holder: Node, key: str, model: Node | None) -> None:

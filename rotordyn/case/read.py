@@ -18,10 +18,11 @@ from rotordyn.case.forms import reading_of
 from rotordyn.case.library import find_case, sources_in
 from rotordyn.case.machines import named_once, read_spindle
 from rotordyn.case.node import Node
-from rotordyn.case.variants import from_the_top, overrides, tools_compared, variant_trees
+from rotordyn.case.variants import from_the_top, of_machine, tools_compared, variant_trees
 from rotordyn.description import Faults as Rules
 from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
+from rotordyn.machine.tool import Tool
 
 MOST_VARIANTS = 200
 # Keys that identify other kinds of files.
@@ -53,11 +54,11 @@ def load(path: str | Path) -> Case:
         why = f"too many variants: given {many}; allowed: up to {MOST_VARIANTS}, more in a study "
         reader.faults.at_key(root.at("compare"), f"{why}(rotordyn sweep)")
     if not reader.faults:
-        for name, tree in variant_trees(root, reader.faults).items():
+        for name, tree in variant_trees(root).items():
             reader.faults.variant = name
-            tool = expand.tool(root.at("compare", name, "tool"), {}, reader) if of_tools else None
-            title = (tool or tree).child("title")
             variant = _case(tree, name, reader)
+            tool = reader.named(Tool, root.at("compare", name, "tool")) if of_tools else None
+            title = (tool or tree).child("title")
             if variant is not None:
                 written = str(title.value).strip() if title is not None else ""
                 if of_tools and written in (other.title for other in made.values()):
@@ -98,23 +99,24 @@ def _case(root: Node, name: str, reader: expand.Reader) -> Case | None:
     if (other := _other_file(root.value)) and not reader.faults.variant:
         faults.at(root, f"this is a {other} file, not a case: a case names it by {other}: PATH")
         return None
+    override = of_machine(root, reader)
     named_once(root, faults)
     reading = reading_of(reader)
-    override, tree = overrides(root, faults), root
+    tree = root
     spindle = bearing = fitted = None
     usable = False
     if (reference := root.child("spindle")) is not None:
-        expanded = expand.spindle(reference, override["spindle"], reader)
+        expanded = expand.spindle(reference, override, reader)
         tool = root.child("tool")
-        clamped = expand.tool(tool, override["tool"], reader) if tool is not None else None
-        if clamped is not None and "references" in override["spindle"]:
+        clamped = reader.named(Tool, tool) if tool is not None else None
+        if clamped is not None and "references" in override:
             clamped.value.pop("references", None)  # those of the machine as a whole are given
         usable = expanded is not None and (tool is None or clamped is not None)
         if expanded is not None:
             spindle, fitted, machine = read_spindle(reading, expanded, clamped)
             tree = replace(root, value={**root.value, "spindle": machine})
     if (reference := root.child("bearing")) is not None:
-        expanded = expand.bearing(reference, (override["bearing"],), reader)
+        expanded = expand.bearing(reference, (override,), reader)
         bearing = None if expanded is None else reading.value(BallBearing, expanded)
         expand.ring_sizes(root, expanded)
         usable = usable or bearing is not None

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
+from rotordyn.case.expand import Reader
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node, merged, overlaid
 from rotordyn.case.override import apply
@@ -37,8 +38,7 @@ def tools_compared(root: Node, faults: Faults) -> Node:
 
 
 def from_the_top(root: Node, faults: Faults) -> Node:
-    """Write the paths of overrides from the top of the case, and make those changes that concern
-    neither its machine nor its tool."""
+    """Write the paths of overrides from the top of the case."""
     tree = root.copy()
     for holder in (tree, *tree.entries("compare").values()):
         override = holder.entries("override")
@@ -49,40 +49,38 @@ def from_the_top(root: Node, faults: Faults) -> Node:
                 why = f"given twice: '{given[2]}', with and without '{given[0]}.' before it"
                 faults.at_key(value, why)
             override[whole] = value
-    _settle(tree, faults)
     return tree
 
 
-def _settle(tree: Node, faults: Faults) -> None:
-    """Make the changes of overrides that concern neither machine nor tool."""
-    override = tree.entries("override")
+def of_machine(root: Node, reader: Reader) -> dict[str, Node]:
+    """Changes of overrides by their path within the machine; all others are made in ``root``.
+
+    Those within the tool are kept, as variants may have another one.
+    """
+    override, within = root.entries("override"), {}
+    machine = "spindle" if root.child("spindle") else "bearing"
     for path in [*override]:
-        if not path.startswith(("spindle.", "bearing.", "tool.")):
-            apply({path: override.pop(path)}, tree, faults)
-
-
-def overrides(root: Node, faults: Faults) -> dict[str, dict[str, Node]]:
-    """Changes by their path within spindle, bearing and tool."""
-    within: dict[str, dict[str, Node]] = {"spindle": {}, "bearing": {}, "tool": {}}
-    for path, value in root.entries("override").items():
-        part, _, rest = path.partition(".")
-        within[part][rest] = value
-        if root.child(part) is None and (root.child("spindle") or root.child("bearing")):
-            faults.at_key(value, f"leads into the {part}, and this case has none: leave it out")
+        room, _, rest = path.partition(".")
+        change = override[path] if room == "tool" else override.pop(path)
+        if rest and room == machine:
+            override[path] = within[rest] = change
+        elif rest and room in ("spindle", "bearing", "tool") and root.child(room) is None:
+            reader.faults.at_key(change, f"leads into the {room}, and this case has none")
+        else:
+            apply({path: change}, root, reader.faults, reader.opened)
     return within
 
 
-def variant_trees(root: Node, faults: Faults) -> dict[str, Node]:
+def variant_trees(root: Node) -> dict[str, Node]:
     """Tree of each variant in ``compare`` of the case in ``root``, by name.
 
     Machine and title are replaced; overrides are merged path by path, conditions key by key at any
     depth; references are added. Every node keeps its place in the file.
     """
-    trees = root.entries("compare").items()
-    return {name: _changed(root, changes, faults) for name, changes in trees}
+    return {name: _changed(root, changes) for name, changes in root.entries("compare").items()}
 
 
-def _changed(root: Node, changes: Node, faults: Faults) -> Node:
+def _changed(root: Node, changes: Node) -> Node:
     tree = root.copy()
     for key in ("compare", "title"):
         tree.value.pop(key, None)
@@ -91,5 +89,4 @@ def _changed(root: Node, changes: Node, faults: Faults) -> Node:
             tree.value[key] = overlaid(tree.child(key), value)
         else:
             tree.value[key] = merged(tree.child(key), value) if key in _MERGED else value
-    _settle(tree, faults)
     return tree
