@@ -60,7 +60,7 @@ def _measured(node: Node | None, kind: str) -> float | None:
 def bearing(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
     """Read a bearing of any kind; None if it has faults, which are reported."""
     if not isinstance(node.value, dict):
-        named = expand.bearing(node, (), reading.files)
+        named = expand.bearing(node, {}, reading.files)
         return None if named is None else bearing(reading, annotation, named, others)
     if node.child("estimate") is not None:
         return _estimated(reading, node)

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
 from rotordyn.case.document import read_document
 from rotordyn.case.faults import Faults
-from rotordyn.case.keys import COMMON, bearing_class, keys_of, kinds_with
+from rotordyn.case.keys import COMMON, MODELS, bearing_class, keys_of, kinds_with
 from rotordyn.case.library import find
-from rotordyn.case.named_models import MODELS
 from rotordyn.case.node import UNKNOWN, Node, merged
 from rotordyn.case.override import apply
 from rotordyn.case.reading import spread
@@ -155,15 +154,12 @@ def ring_sizes(case: Node, model: Node | None) -> None:
             rings.value.setdefault(size, known.copy())
 
 
-def bearing(
-    reference: Node, overrides: Iterable[Mapping[str, Node]], reader: Reader
-) -> Node | None:
+def bearing(reference: Node, override: Mapping[str, Node], reader: Reader) -> Node | None:
     """Tree of the bearing model with overrides."""
     root = reader.model("bearings", reference)
     if root is None:
         return None
-    for changes in overrides:
-        apply(changes, root, reader.faults, reader.opened)
+    apply(override, root, reader.faults, reader.opened)
     _forget_nulls(root)
     return root
 
@@ -187,7 +183,8 @@ def bearing_of_seat(seat: Node, reader: Reader, shared: Node | None = None) -> N
     if override is not None:
         seat.value["model_override"] = override
     if (reference := seat.child("model")) is not None:
-        _set(seat, "model", bearing(reference, (seat.entries("model_override"),), reader))
+        model = bearing(reference, seat.entries("model_override"), reader)
+        seat.value["model"] = model or replace(reference, value=UNKNOWN)
 
 
 def _table_of_support(support: Node, reader: Reader) -> None:
@@ -199,8 +196,3 @@ def _table_of_support(support: Node, reader: Reader) -> None:
         support.value["table"] = replace(reference, value=UNKNOWN)
         return
     tabled(support, path, reader.faults, reader.contents)
-
-
-def _set(holder: Node, key: str, model: Node | None) -> None:
-    reference = holder.value[key]
-    holder.value[key] = model or replace(reference, value=UNKNOWN)

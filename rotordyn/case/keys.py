@@ -54,6 +54,14 @@ from rotordyn.scene.conditions import Conditions
 Overrides = Mapping[str, Any]
 Stiff = Annotated[float, Quantity("stiffness", at_least="0.1 N/um", at_most="100000 N/um")]
 MOST_STEPS = 100_000
+# Descriptions of models in separate files, and the folder of the library with them.
+MODELS: dict[type, str] = {
+    Spindle: "spindles",
+    Tool: "tools",
+    BallBearing: "bearings",
+    Material: "materials",
+    Workpiece: "workpieces",
+}
 # Keys that a bearing needs of which the rest is estimated.
 ESTIMATED = ("estimate", "name", "bore_diameter", "outside_diameter", "contact_angle")
 

@@ -12,8 +12,8 @@ from bearings.materials import Material
 from rotordyn.analyses.stability_lobes.workpiece import Workpiece
 from rotordyn.case.expand import opened
 from rotordyn.case.forms import reading_of
+from rotordyn.case.keys import MODELS
 from rotordyn.case.library import find, known_kind
-from rotordyn.case.named_models import MODELS
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.tool import Tool

@@ -7,8 +7,7 @@ from typing import Any
 
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import UNKNOWN, Node, joined
-from rotordyn.case.varied import called_at
-from rotordyn.quantity import suggestion
+from rotordyn.case.varied import called_at, no_such
 
 Open = Callable[[str, Node], Node]  # the value of a key; the model if it may be named there
 
@@ -61,12 +60,7 @@ def _place(value: Node, step: str, target: Node, faults: Faults) -> int | None:
     names = [called_at(k, item) for k, item in enumerate(target.value, start=1)]
     if step in names:
         return names.index(step)
-    where = target.path or "the list"
-    if any(item.name for item in target.value):
-        allowed = f"unknown name '{step}' in {where}; allowed: {', '.join(names)}"
-        faults.at_key(value, f"{allowed}{suggestion(step, names)}")
-    elif names:
-        faults.at_key(value, f"unknown number '{step}' in {where}; allowed: from 1 to {len(names)}")
-    else:
-        faults.at_key(value, f"'{where}' is empty: give it whole")
+    what = "name" if any(item.name for item in target.value) else "number"
+    unknown = no_such(step, names, what, f" in {target.path or 'the list'}")
+    faults.at_key(value, unknown if names else f"'{target.path}' is empty: give it whole")
     return None

@@ -116,7 +116,7 @@ def _case(root: Node, name: str, reader: expand.Reader) -> Case | None:
             spindle, fitted, machine = read_spindle(reading, expanded, clamped)
             tree = replace(root, value={**root.value, "spindle": machine})
     if (reference := root.child("bearing")) is not None:
-        expanded = expand.bearing(reference, (override,), reader)
+        expanded = expand.bearing(reference, override, reader)
         bearing = None if expanded is None else reading.value(BallBearing, expanded)
         expand.ring_sizes(root, expanded)
         usable = usable or bearing is not None

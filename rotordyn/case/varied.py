@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, is_dataclass
 from itertools import chain
 from typing import Annotated, Any
@@ -13,7 +13,7 @@ from rotordyn.case.keys import COMMON, Common, fields_of
 from rotordyn.description import quantity_of
 from rotordyn.field import declared, found_in, kinds_of, metadata, parts_of
 from rotordyn.machine.matrix import Matrix, entry_name
-from rotordyn.quantity import HIDDEN, Quantity
+from rotordyn.quantity import HIDDEN, Quantity, suggestion
 from rotordyn.units import KINDS, parse_unit
 
 OF_CASES = ("spindle", "bearing", "conditions")
@@ -91,6 +91,16 @@ def from_top(path: str, spindle: bool, keys: Collection[str] = OF_CASE) -> str:
     if path.partition(".")[0] in keys:
         return path
     return f"spindle.{path}" if spindle else f"bearing.{path}"
+
+
+def no_such(step: str, names: Iterable[str], what: str, where: str, inner: str = "") -> str:
+    """Sentence on a step of a path that leads nowhere; ``inner``: path on which it exists."""
+    known = [*dict.fromkeys(filter(None, names))]
+    listed = ", ".join(known[:12]) + (", …" if len(known) > 12 else "")
+    if what == "number":
+        return f"unknown number '{step}'{where}; allowed: from 1 to {len(known)}"
+    hint = f" (did you mean {inner}?)" if inner else suggestion(step, known)
+    return f"unknown {what} '{step}'{where}; allowed: {listed or 'none, it is empty'}{hint}"
 
 
 def turn_of(path: str) -> tuple[int, int]:

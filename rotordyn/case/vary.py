@@ -23,6 +23,7 @@ from rotordyn.case.varied import (
     common_at,
     from_top,
     held_at,
+    no_such,
     turn_of,
     ways_of_items,
 )
@@ -105,28 +106,16 @@ def changed(description: D, changes: Mapping[str, object]) -> D:
         raise InvalidInput(f"changes map a dotted path to a value: given {shown(changes)}")
     listed = [_change(path, value) for path, value in changes.items()]
     if isinstance(description, Case):
-        listed = _from_top(description, listed)
+        listed = [_from_top(description, each) for each in listed]
+        last = {each.steps: each for each in listed}
+        for change in listed:
+            if last[change.steps] is not change:
+                room = change.steps[0]
+                raise change.refused(f"given twice, with and without '{room}.' before it")
     listed.sort(key=lambda each: turn_of(".".join(each.steps)))
     if isinstance(description, Case):
         listed = [*_of_variants(description, listed), *listed]
     return _fields(description, listed)
-
-
-def _from_top(case: Case, changes: Sequence[_Change]) -> list[_Change]:
-    """Complete the paths that begin within the machine of ``case``."""
-    whole: dict[str, _Change] = {}
-    for change in changes:
-        path = from_top(change.path, case.bearing is None)
-        if path != change.path:
-            machine: Any = Spindle if case.bearing is None else type(case.bearing)
-            inside = (field.keys[0] for field in keys_of(machine) if field.keys)
-            known = [*_keys(Case), *inside]
-            _require_known(change, known, "key", deeper(Case, change.steps[0]))
-        if path in whole:
-            room = path.partition(".")[0]
-            raise change.refused(f"given twice, with and without '{room}.' before it")
-        whole[path] = replace(change, steps=(*path.split("."),))
-    return [*whole.values()]
 
 
 def _of_variants(case: Case, changes: Sequence[_Change]) -> list[_Change]:
@@ -143,6 +132,17 @@ def _change(path: object, value: object) -> _Change:
     if len(path) > LONGEST:
         raise InvalidInput(f"{path[:40]}...: a path longer than {LONGEST} characters")
     return _Change(value, path, tuple(path.split(".")))
+
+
+def _from_top(case: Case, change: _Change) -> _Change:
+    """Complete a path that begins within the machine of ``case``."""
+    path = from_top(change.path, spindle=case.bearing is None)
+    if path == change.path:
+        return change
+    machine: Any = Spindle if case.bearing is None else type(case.bearing)
+    known = [*_keys(Case), *(field.keys[0] for field in keys_of(machine) if field.keys)]
+    _require_known(change, known, "key", deeper(Case, change.steps[0]))
+    return replace(change, steps=(*path.split("."),))
 
 
 def _signed(case: Any) -> Any:
@@ -454,16 +454,10 @@ def _grouped(
 
 def _require_known(change: _Change, known: Iterable[str], what: str, inner: str = "") -> None:
     """Raise if the next step of a path is not ``known``; ``inner``: path on which it is."""
-    step, names = change.steps[0], [*dict.fromkeys(filter(None, known))]
-    if step in names:
-        return
-    listed = ", ".join(names[:12]) + (", …" if len(names) > 12 else "")
-    where = f" in '{_way_to(change)}'" if len(change.steps) < change.path.count(".") + 1 else ""
-    if what == "number":
-        raise change.refused(f"unknown number '{step}'{where}; allowed: from 1 to {len(names)}")
-    hint = f" (did you mean {inner}?)" if inner else suggestion(step, names)
-    allowed = f"{listed or 'none, it is empty'}{hint}"
-    raise change.refused(f"unknown {what} '{step}'{where}; allowed: {allowed}")
+    step, names = change.steps[0], [*known]
+    if step not in names:
+        where = f" in '{way}'" if (way := _way_to(change)) else ""
+        raise change.refused(no_such(step, names, what, where, inner))
 
 
 def _way_to(change: _Change) -> str:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from rotordyn.case.case import Case
-from rotordyn.case.named_models import MODELS
+from rotordyn.case.keys import MODELS
 from rotordyn.case.study import MOST_POINTS
 from rotordyn.case.varied import found_at, usual_unit
 from rotordyn.case.vary import value_of, vary
