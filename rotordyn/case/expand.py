@@ -30,12 +30,14 @@ class Reader:
     """Reader of the files of one case, each read once.
 
     ``folders``: path of each file by its printed name; its references are relative to it.
+    ``found``: paths of models by kind, name and the file that names them.
     """
 
     faults: Faults
     contents: dict[Path, bytes] = field(default_factory=dict)
     folders: dict[str, Path] = field(default_factory=dict)
     trees: dict[Path, Node | None] = field(default_factory=dict)
+    found: dict[tuple[str, str, Path], Path] = field(default_factory=dict)
 
     def document(self, path: Path) -> Node | None:
         """Return a copy of the tree of a file; None if the file is unusable."""
@@ -55,8 +57,9 @@ class Reader:
         if name is None:
             self.faults.at(reference, "not a model: a name, a path or a mapping is needed")
             return None
+        asked = kind, name, self.folders[reference.file]
         try:
-            path = find(kind, name, self.folders[reference.file])
+            path = self.found[asked] = self.found.get(asked) or find(*asked)
         except InvalidInput as error:
             self.faults.at(reference, str(error))
             return None

@@ -151,8 +151,8 @@ class _Case:
     ] = ()
     override: Annotated[
         Overrides,
-        "dotted path into the machine, items of a list by their name or place -> new value; with "
-        "or without `spindle.` (`bearing.`) before it",
+        "dotted path into the machine, with or without `spindle.` (`bearing.`) before it, or one "
+        "that begins with a key of the case -> new value ([how](reference/python.md#other-values))",
     ] = field(default_factory=dict)
     compare: Annotated[
         Mapping[Name, Variant],
@@ -384,13 +384,6 @@ def _common(each: Common) -> Iterator[Field]:
         if inner.keys[: len(tail)] == tail:
             keys = (*each.keys, *inner.keys[len(tail) :])
             yield Field("", keys, inner.annotation, each.meaning, None)
-
-
-@cache
-def shared_by(kind: Any) -> tuple[str, ...]:
-    """Keys of items of this kind that may be given once for all of them."""
-    listed = (each for commons in COMMON.values() for each in commons if each.meaning)
-    return tuple(dict.fromkeys(each.fills[-1] for each in listed if each.kind is kind))
 
 
 def bearing_class(word: object) -> Any:

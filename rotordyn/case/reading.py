@@ -17,7 +17,7 @@ from rotordyn import units
 from rotordyn.case.deeper import deeper, leads, nested
 from rotordyn.case.document import TIGHT
 from rotordyn.case.faults import Faults
-from rotordyn.case.keys import COMMON, keys_of, kinds_with, shared_by
+from rotordyn.case.keys import COMMON, keys_of, kinds_with
 from rotordyn.case.leaf import is_kind, leaf, limit_of, unknown, wanted
 from rotordyn.case.node import UNKNOWN, Node, matching
 from rotordyn.description import Description, Path, filled, unchecked
@@ -213,8 +213,7 @@ class Reading:
             values[field.name] = self._field(replace(field, annotation=annotation), node, others)
         values.pop("", None)
         if "own" in values:
-            given = {key: node.child(key) for key in shared_by(kind)}
-            values["own"] = tuple(key for key, child in given.items() if child and not child.shared)
+            values["own"] = tuple(k for k, child in node.entries().items() if not child.shared)
         return values
 
     def given(self, kind: type, node: Node) -> dict[str, Any]:

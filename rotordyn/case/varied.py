@@ -76,13 +76,8 @@ def found_at(case: Case, path: str, *, absent: bool = False) -> list[tuple[Any, 
 def places(case: Case, path: str, *, absent: bool = False) -> list[tuple[str, Any, Any]]:
     """Like ``found_at``, each with its own path from the top, in which ``*`` is replaced."""
     steps = from_top(path, case.bearing is None).split(".")
-    matches = _at(case, tuple(steps), None, (), absent)
+    matches = reached(case, tuple(steps), absent=absent)
     return [(".".join(way), value, annotation) for way, value, annotation in matches]
-
-
-def held_at(value: Any, steps: Steps) -> list[Any]:
-    """Values at ``steps`` within a description."""
-    return [held for _, held, _ in _at(value, steps, None, (), False)]
 
 
 def from_top(path: str, spindle: bool, keys: Collection[str] = OF_CASE) -> str:
@@ -109,9 +104,10 @@ def turn_of(path: str) -> tuple[int, int]:
     return path.count("."), -path.count("*")
 
 
-def _at(
-    value: Any, steps: Steps, annotation: Any, done: Steps, absent: bool
+def reached(
+    value: Any, steps: Steps, annotation: Any = None, done: Steps = (), *, absent: bool = False
 ) -> Iterator[tuple[Steps, Any, Any]]:
+    """Yield own steps, value and annotation of all that ``steps`` lead to within a value."""
     if not steps:
         yield done, value, annotation
         return
@@ -124,7 +120,8 @@ def _at(
         for way, inner, inside in below:
             fits = all(step in ("*", key) for step, key in zip(ahead, way, strict=False))
             if fits and len(ahead) >= len(way):
-                yield from _at(inner, ahead[len(way) :], inside, (*done, *way), absent)
+                rest = ahead[len(way) :]
+                yield from reached(inner, rest, inside, (*done, *way), absent=absent)
 
 
 def _below(value: Any, annotation: Any) -> Iterator[tuple[tuple[str, ...], Any, Any]]:

@@ -22,8 +22,8 @@ from rotordyn.case.varied import (
     called_at,
     common_at,
     from_top,
-    held_at,
     no_such,
+    reached,
     turn_of,
     ways_of_items,
 )
@@ -240,7 +240,7 @@ def _of_model(old: BearingSeat, changes: Sequence[_Change]) -> tuple[dict[str, A
         size, before = sizes[fills[-1]], old.sizes.get(fills[-1])
         within = [each for each in listed if each.steps[: len(fills) - 1] == fills[:-1]]
         if within or size != before:
-            held = held_at(old, fills)
+            held = [value for _, value, _ in reached(old, fills)]
             if (within and not held) or (size != before and held == [before]):
                 sized.append(_Change(size, (within or listed)[0].path, fills))
         for k, each in enumerate(listed):

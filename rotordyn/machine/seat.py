@@ -55,8 +55,8 @@ class BearingSeat(Description):
     ``thrust``: for a kind that takes thrust in both directions, the direction of positive axial
     load and of the load by a spring of its sleeve; 0 means +1 there. The ball model is that of the
     conditions of the case unless given here; friction ``none`` or infinite: no limit. Damping
-    [N·s/m] acts between its rings; tilt is not damped. ``own``: keys given here among those that a
-    spindle gives for all bearings; ``sizes``: of its rings, from its model, for fits [m];
+    [N·s/m] acts between its rings; tilt is not damped. ``own``: keys given here, not for all
+    bearings; ``sizes``: of its rings, from its model, for fits [m];
     ``by_set``: its set gives the thrust; ``preloads``: of a pair by the classes of its maker,
     light, medium, heavy [N]; ``override``: what the files change of any model here, as written.
     """

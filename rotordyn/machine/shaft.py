@@ -36,8 +36,8 @@ class Section(Description):
     """A hollow cylinder, or a cone where diameters at its rear end are given [m].
 
     Diameters are those of the front end, and of the rear end where none are given for it; they
-    change linearly along the axis. ``own``: keys given here among those that a shaft gives for all
-    sections.
+    change linearly along the axis. ``own``: keys given here, not
+    for all sections.
     """
 
     length: Annotated[Length, "along the axis"]
