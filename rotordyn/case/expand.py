@@ -22,7 +22,12 @@ from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.spindle import Spindle
 
 # Folder of the models that a key names, by the last word of the key (``ball_material``).
-NAMED = {"material": "materials", "tool": "tools", "workpiece": "workpieces"}
+NAMED = {
+    "material": "materials",
+    "blank": "materials",
+    "tool": "tools",
+    "workpiece": "workpieces",
+}
 
 
 @dataclass

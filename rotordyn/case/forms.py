@@ -6,6 +6,8 @@ Each function reads a node as its annotation says; ``FORMS`` maps annotations to
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import replace
 from itertools import product
 from pathlib import Path
@@ -22,18 +24,19 @@ from rotordyn.analyses.stability_lobes.workpiece import Workpiece
 from rotordyn.case import expand
 from rotordyn.case.bearings import bearing, seat
 from rotordyn.case.case import ByName
+from rotordyn.case.document import MAX_DEPTH
 from rotordyn.case.expand import Reader
 from rotordyn.case.faults import Faults
 from rotordyn.case.keys import PortPair
 from rotordyn.case.leaf import is_unknown, unknown
 from rotordyn.case.machines import read_spindle
 from rotordyn.case.matrices import matrix
-from rotordyn.case.node import UNKNOWN, Node, set_paths, written
+from rotordyn.case.node import UNKNOWN, Node, set_paths
 from rotordyn.case.ranges import sweep
 from rotordyn.case.reading import Reading, unknown_key
 from rotordyn.case.uncertain import AS_USUAL, Uncertain, Worded
 from rotordyn.description import unchecked
-from rotordyn.errors import InvalidInput
+from rotordyn.errors import InvalidInput, TooManyFaults
 from rotordyn.field import Refused, accept
 from rotordyn.machine.housing import ReducedHousing
 from rotordyn.machine.matrix import Matrix
@@ -241,13 +244,27 @@ def in_python(annotation: Any, value: object) -> Any:
 
     Single values may also be objects and numbers in SI units.
     """
-    files, node = Reader(Faults(), folders={"": Path("here")}), written(value)
+    files, node = Reader(Faults(), folders={"": Path("here")}), _written(value)
     set_paths(node)
-    found = Reading(files, FORMS, accept).value(annotation, node)
+    found = None
+    with suppress(TooManyFaults):
+        found = Reading(files, FORMS, accept).value(annotation, node)
     for fault in files.faults.reported:
         place = f".{fault.path}" if fault.path and not fault.file else ""
         raise Refused(str(fault) if fault.file else fault.message, place)
     return found
+
+
+def _written(value: object, depth: int = 0) -> Node:
+    """Node of a value given in Python."""
+    if depth > MAX_DEPTH:
+        raise Refused(f"nested deeper than {MAX_DEPTH} levels")
+    if isinstance(value, Mapping):
+        entries = {str(key): _written(each, depth + 1) for key, each in value.items()}
+        return Node(entries, "", 0, 0)
+    if isinstance(value, list | tuple):
+        return Node([_written(each, depth + 1) for each in value], "", 0, 0)
+    return Node(value, "", 0, 0, raw=str(value))
 
 
 FORMS: dict[type, Any] = {

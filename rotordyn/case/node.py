@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -98,16 +98,6 @@ class Node:
         if isinstance(self.value, list):
             return [child.plain() for child in self.value]
         return self.value
-
-
-def written(value: object) -> Node:
-    """Node of a value that is given in Python as files write it."""
-    content = value
-    if isinstance(value, Mapping):
-        content = {str(key): written(each) for key, each in value.items()}
-    elif isinstance(value, list | tuple):
-        content = [written(each) for each in value]
-    return Node(content, "", 0, 0, raw=str(value))
 
 
 def merged(base: Node | None, more: Node | None) -> Node | None:

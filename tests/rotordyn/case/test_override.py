@@ -10,8 +10,16 @@ import pytest
 import yaml
 
 import rotordyn
+from bearings.materials import Material
+from rotordyn.analyses.registry import analysis, names
+from rotordyn.analyses.stability_lobes.workpiece import Workpiece
+from rotordyn.case.case import Case
+from rotordyn.case.expand import NAMED
+from rotordyn.case.keys import MODELS, keys_of
 from rotordyn.errors import InvalidInput
+from rotordyn.field import descriptions
 from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.tool import Tool
 
 Override = Callable[..., Spindle]
 CASE = """
@@ -213,7 +221,7 @@ def test_a_path_of_the_case_is_one_of_an_override(path: str, tmp_path: Path) -> 
     """In the case itself and in a variant, as in ``vary``."""
     machine = "spindle: mfw2310\ntool: hsk63_end_mill_16\nconditions: {friction: 0.1}\n"
     text = f"{machine}speeds: [0 rpm]\nanalyses: {{campbell: {{max_frequency: 1 kHz}}}}\n"
-    uncertain = "uncertain: {tolerances: {sleeves.*.spring.preload: ± 5 %}}\n"
+    uncertain = "uncertain: {tolerances: {spindle.sleeves.*.spring.preload: ± 5 %}}\n"
     file, written = tmp_path / "case.yaml", OF_A_CASE[path]
     changes = {path: yaml.safe_load(written)}
     file.write_text(text + uncertain, encoding="utf-8")
@@ -252,7 +260,8 @@ def test_a_model_by_name_brings_the_sizes_of_its_rings(overridden: Override) -> 
 
 def test_the_order_of_overrides_does_not_matter(overridden: Override) -> None:
     """As in ``vary``: what is within something, and one item of all, come last."""
-    lines = ["bearings.a.growth.static: 10 um", "bearings.*.growth: {static: 1 um}"]
+    lines = ["sleeves.front.mass: 1 kg", "sleeves.*.mass: 2 kg", "sleeves.rear.spring.preload: 9 N"]
+    lines.append("sleeves.rear.spring: {preload: 8 N, stiffness: 5 N/um}")
     assert overridden(*lines) == overridden(*lines[::-1])
 
 
@@ -285,3 +294,16 @@ def test_a_faulty_estimate_is_reported_once(overridden: Override) -> None:
     assert [fault.path for fault in found.value.faults] == [
         "override.bearings.*.model.estimate.preloads.1"
     ]
+
+
+def test_keys_of_models_end_in_the_word_by_which_a_path_opens_them() -> None:
+    kinds, seen = [Case, *(analysis(name).spec for name in names())], set()
+    while kinds:
+        seen.add(kind := kinds.pop())
+        for field in keys_of(kind):
+            inner = {*descriptions(field.annotation)}
+            for model in inner & {Material, Tool, Workpiece}:
+                word = field.keys[-1].rpartition("_")[2] if field.keys else ""
+                assert not field.keys or NAMED[word] == MODELS[model], (kind, field.keys)
+            kinds += inner - seen
+    assert {Spindle, Material, Workpiece, Tool} <= seen
