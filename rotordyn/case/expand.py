@@ -24,7 +24,7 @@ from rotordyn.machine.spindle import Spindle
 # Folder of the models that a key names, by the last word of the key (``ball_material``).
 NAMED = {
     "material": "materials",
-    "blank": "materials",
+    "blank": "tools",
     "tool": "tools",
     "workpiece": "workpieces",
 }
