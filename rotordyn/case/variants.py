@@ -60,11 +60,11 @@ def of_machine(root: Node, reader: Reader) -> dict[str, Node]:
     override, within = root.entries("override"), {}
     machine = "spindle" if root.child("spindle") else "bearing"
     for path in [*override]:
-        room, _, rest = path.partition(".")
+        room, dot, rest = path.partition(".")
         change = override[path] if room == "tool" else override.pop(path)
-        if rest and room == machine:
+        if dot and room == machine:
             override[path] = within[rest] = change
-        elif rest and room in ("spindle", "bearing", "tool") and root.child(room) is None:
+        elif dot and room in ("spindle", "bearing", "tool") and root.child(room) is None:
             reader.faults.at_key(change, f"leads into the {room}, and this case has none")
         else:
             apply({path: change}, root, reader.faults, reader.opened)
