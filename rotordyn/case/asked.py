@@ -41,7 +41,8 @@ class Hypothesis:
     def name(self) -> str:
         """Short path: ``kinematics``, ``a.kinematics``."""
         room, _, rest = self.path.partition(".")
-        return rest if room == "conditions" else self.path.removeprefix("spindle.bearings.")
+        inner = self.path.removeprefix("spindle.").removeprefix("bearings.")
+        return rest if room == "conditions" else inner
 
 
 @dataclass(frozen=True, slots=True)

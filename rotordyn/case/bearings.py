@@ -9,31 +9,31 @@ from typing import TYPE_CHECKING, Any
 from bearings.bearing import BallBearing
 from bearings.catalogue.printed import Catalogue
 from bearings.errors import InvalidBearing
-from bearings.kinds import DEFAULT, kind_class
+from bearings.kinds import DEFAULT, KINDS, kind_class
 from rotordyn import units
+from rotordyn.case import expand
 from rotordyn.case.arranged import printed_preloads
 from rotordyn.case.faults import Faults
-from rotordyn.case.keys import COMMON, ESTIMATED, Printed, bearing_class, keys_of
+from rotordyn.case.keys import ESTIMATED, Printed, bearing_class, keys_of
 from rotordyn.case.leaf import is_unknown
 from rotordyn.case.node import Node
 from rotordyn.case.reading import Reading
 from rotordyn.errors import InvalidInput
+from rotordyn.machine.assembly import unknown as not_known
 from rotordyn.machine.flexible_rings import SIZES
 from rotordyn.machine.seat import BearingSeat, no_ring_left
-from rotordyn.machine.spindle import Spindle
 
 if TYPE_CHECKING:
     from bearings.catalogue.estimate import EstimatedBearing
 
 _CALLED = {"bore_diameter": "bore"}  # key of files -> field of a catalogue
 _SHOULDERS = ("inner_shoulder_diameter", "outer_shoulder_diameter")
-SHARED = tuple(common.fills[-1] for common in COMMON[Spindle])
 
 
 def seat(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
     """Read a bearing on the shaft; it takes the name of its model."""
-    given = {key: node.child(key) for key in SHARED}
-    own = tuple(key for key, child in given.items() if child is not None and not child.shared)
+    if not node.file:  # written in Python
+        expand.bearing_of_seat(node, reading.files)
     read = {key: _measured(node.child("model", key), "length") for key in SIZES}
     sizes = {key: size for key, size in read.items() if size is not None}
     named = node.child("model", "name")
@@ -44,7 +44,8 @@ def seat(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]
     by_set = thrust is not None and thrust.shared
     forces = [_measured(each, "force") for each in printed_preloads(node).values()]
     preloads = tuple(each for each in forces if each is not None)
-    hidden: dict[str, Any] = dict(own=own, sizes=sizes, by_set=by_set, preloads=preloads)
+    override = {key: child.plain() for key, child in node.entries("model_override").items()}
+    hidden: dict[str, Any] = dict(sizes=sizes, by_set=by_set, preloads=preloads, override=override)
     return reading.description(BearingSeat, node, model=model, **hidden)
 
 
@@ -59,17 +60,21 @@ def _measured(node: Node | None, kind: str) -> float | None:
 def bearing(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
     """Read a bearing of any kind; None if it has faults, which are reported."""
     if not isinstance(node.value, dict):
-        return reading.wrong_shape(annotation, node, "a name, a path or a mapping")
+        named = expand.bearing(node, {}, reading.files)
+        return None if named is None else bearing(reading, annotation, named, others)
     if node.child("estimate") is not None:
         return _estimated(reading, node)
     kind = node.child("kind")
+    if kind is not None and kind.value not in tuple(KINDS):
+        for why in not_known("kind of bearing", kind.raw or units.shown(kind.plain()), KINDS):
+            reading.faults.at(kind, why)
+        return None
     model = bearing_class(kind.value if kind else None)
     values = reading.fields(model, node)
     optional = {field.name for field in keys_of(model) if field.default is None}
     for name, value in values.items():
-        if (value is None and name not in optional) or is_unknown(value):
-            return None
-        if isinstance(value, int) and node.child(name) is not None and value == 0:
+        zero = isinstance(value, int) and node.child(name) is not None and value == 0
+        if zero or (value is None and name not in optional) or is_unknown(value):
             return None
     try:
         made = model(**values)

@@ -3,30 +3,31 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from bearings.kinds import KINDS
-from bearings.materials import Material
-from rotordyn import units
-from rotordyn.analyses.stability_lobes.workpiece import Workpiece
 from rotordyn.case.document import read_document
 from rotordyn.case.faults import Faults
-from rotordyn.case.keys import COMMON, bearing_class, keys_of, kinds_with
+from rotordyn.case.keys import COMMON, MODELS, bearing_class, keys_of, kinds_with
 from rotordyn.case.library import find
-from rotordyn.case.named_models import MODELS, Way, ways_to
-from rotordyn.case.node import UNKNOWN, Node, matching
+from rotordyn.case.node import UNKNOWN, Node, merged
 from rotordyn.case.override import apply
 from rotordyn.case.reading import spread
 from rotordyn.case.table import tabled
 from rotordyn.errors import InvalidInput
-from rotordyn.machine.assembly import unknown
 from rotordyn.machine.flexible_rings import SIZES
 from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.tool import Tool
+
+# Folder of the models that a key names, by the last word of the key (``ball_material``).
+NAMED = {
+    "material": "materials",
+    "blank": "tools",
+    "tool": "tools",
+    "workpiece": "workpieces",
+}
 
 
 @dataclass
@@ -34,12 +35,14 @@ class Reader:
     """Reader of the files of one case, each read once.
 
     ``folders``: path of each file by its printed name; its references are relative to it.
+    ``found``: paths of models by kind, name and the file that names them.
     """
 
     faults: Faults
     contents: dict[Path, bytes] = field(default_factory=dict)
     folders: dict[str, Path] = field(default_factory=dict)
     trees: dict[Path, Node | None] = field(default_factory=dict)
+    found: dict[tuple[str, str, Path], Path] = field(default_factory=dict)
 
     def document(self, path: Path) -> Node | None:
         """Return a copy of the tree of a file; None if the file is unusable."""
@@ -59,13 +62,25 @@ class Reader:
         if name is None:
             self.faults.at(reference, "not a model: a name, a path or a mapping is needed")
             return None
+        asked = kind, name, self.folders[reference.file]
         try:
-            path = find(kind, name, self.folders[reference.file])
+            path = self.found[asked] = self.found.get(asked) or find(*asked)
         except InvalidInput as error:
             self.faults.at(reference, str(error))
             return None
         root = self.document(path) if self._exists(path, reference) else None
         return root and replace(root, named=reference)
+
+    def named(self, kind: type, node: Node) -> Node | None:
+        """Mapping of a model of this ``kind``: the node itself, or that of the file it names."""
+        return node if isinstance(node.value, dict) else self.model(MODELS[kind], node)
+
+    def opened(self, key: str, node: Node) -> Node:
+        """What a path leads into at ``key``: the mapping of a model if it may be named there."""
+        folder = NAMED.get(key.rpartition("_")[2])
+        if not folder or isinstance(node.value, dict):
+            return node
+        return self.model(folder, node) or replace(node, value=UNKNOWN)
 
     def beside(self, reference: Node) -> Path | None:
         """Path of the file that ``reference`` names, relative to the file with the reference."""
@@ -106,23 +121,15 @@ def spindle(reference: Node, override: Mapping[str, Node], reader: Reader) -> No
     if root is None:
         return None
 
-    def put(turn: int) -> None:
-        changes = {path: value for path, value in override.items() if _turn(path) == turn}
-        apply(changes, root, reader.faults)
-
-    put(0)
-    _fill(root, Spindle, reader)
+    inner = {path: value for path, value in override.items() if _inner(path)}
+    outer = {path: value for path, value in override.items() if path not in inner}
+    apply(outer, root, reader.faults, reader.opened)
     for seat in root.listed("bearings"):
-        _bearing_of_seat(root, seat, reader)
-    put(1)
+        bearing_of_seat(seat, reader, root.child("bearing_override"))
     for kind, way in _SHARING.items():
         if (holder := root.child(*way)) is not None:
             spread(kind, holder)
-    put(2)
-    _fill(root, Spindle, reader)  # the materials that overrides name
-    for seat in root.listed("bearings"):
-        if (model := seat.child("model")) is not None:
-            _fill(model, _kind_of(model), reader)
+    apply(inner, root, reader.faults, reader.opened)
     for support in root.listed("supports"):
         _table_of_support(support, reader)
     return root
@@ -134,45 +141,14 @@ _INNER = [("bearings", "*", "model")] + [
 ]
 
 
-def _turn(path: str) -> int:
-    """Order in which an override is applied: 0, before models are filled in; 1, inside a material;
-    2, inside a bearing model or a shared value, after overrides for all items."""
-    if _leads(path, _INNER):
-        return 2
-    return int(_leads(path, ways_to(Material, Spindle)))
-
-
-def _leads(path: str, ways: Iterable[Way]) -> bool:
-    """Whether a path continues inside the value at the end of one of ``ways``."""
+def _inner(path: str) -> bool:
+    """Whether a path leads into a bearing model or a shared value, which are filled in before."""
     steps = path.split(".")
     return any(
         len(steps) > len(way)
         and all(key in ("*", step) for key, step in zip(way, steps, strict=False))
-        for way in ways
+        for way in _INNER
     )
-
-
-def tool(reference: Node, reader: Reader) -> Node | None:
-    """Tree of the tool with its materials filled in."""
-    root = reader.model("tools", reference)
-    if root is not None:
-        _fill(root, Tool, reader)
-    return root
-
-
-def asked(node: Node, spec: type, reader: Reader) -> None:
-    """Fill in the models that an analysis names.
-
-    A workpiece that cannot be read gets unknown coefficients, so that its absence is not reported
-    in addition.
-    """
-    _fill(node, spec, reader)
-    for holder, key, named in _naming(node, Tool, spec):
-        _set(holder, key, tool(named, reader))
-    for holder, key, named in _naming(node, Workpiece, spec):
-        _set(holder, key, reader.model(MODELS[Workpiece], named))
-        if (held := holder.at(key)).value is UNKNOWN:
-            holder.value[key] = replace(named, value={"coefficients": held})
 
 
 def ring_sizes(case: Node, model: Node | None) -> None:
@@ -186,22 +162,13 @@ def ring_sizes(case: Node, model: Node | None) -> None:
             rings.value.setdefault(size, known.copy())
 
 
-def bearing(
-    reference: Node, overrides: Iterable[Mapping[str, Node]], reader: Reader
-) -> Node | None:
-    """Tree of the bearing model with overrides and materials filled in."""
+def bearing(reference: Node, override: Mapping[str, Node], reader: Reader) -> Node | None:
+    """Tree of the bearing model with overrides."""
     root = reader.model("bearings", reference)
     if root is None:
         return None
-    for changes in overrides:
-        apply(changes, root, reader.faults)
-    kind = root.child("kind")
-    if kind is not None and kind.value not in tuple(KINDS):
-        for why in unknown("kind of bearing", kind.raw or units.shown(kind.plain()), KINDS):
-            reader.faults.at(root.at("kind"), why)
-        return None
+    apply(override, root, reader.faults, reader.opened)
     _forget_nulls(root)
-    _fill(root, _kind_of(root), reader)
     return root
 
 
@@ -218,11 +185,14 @@ def _forget_nulls(bearing: Node) -> None:
             del bearing.value[key]
 
 
-def _bearing_of_seat(root: Node, seat: Node, reader: Reader) -> None:
-    reference = seat.child("model")
-    if reference is not None:
-        overrides = (root.entries("bearing_override"), seat.entries("model_override"))
-        _set(seat, "model", bearing(reference, overrides, reader))
+def bearing_of_seat(seat: Node, reader: Reader, shared: Node | None = None) -> None:
+    """Fill in the model of a bearing on the shaft, with its overrides and ``shared`` ones."""
+    override = merged(shared, seat.child("model_override"))
+    if override is not None:
+        seat.value["model_override"] = override
+    if (reference := seat.child("model")) is not None:
+        model = bearing(reference, seat.entries("model_override"), reader)
+        seat.value["model"] = model or replace(reference, value=UNKNOWN)
 
 
 def _table_of_support(support: Node, reader: Reader) -> None:
@@ -234,23 +204,3 @@ def _table_of_support(support: Node, reader: Reader) -> None:
         support.value["table"] = replace(reference, value=UNKNOWN)
         return
     tabled(support, path, reader.faults, reader.contents)
-
-
-def _fill(root: Node, kind: Any, reader: Reader) -> None:
-    """Fill in the materials that a file of this ``kind`` names."""
-    for holder, key, named in _naming(root, Material, kind):
-        _set(holder, key, reader.model(MODELS[Material], named))
-
-
-def _naming(root: Node, model: type, kind: Any) -> Iterator[tuple[Node, str, Node]]:
-    """Yield mapping, key and value of each name of a ``model`` in a file of this ``kind``."""
-    for *way, key in ways_to(model, kind):
-        for holder in matching(root, tuple(way)):
-            named = holder.child(key)
-            if named is not None and named.value is not UNKNOWN:
-                yield holder, key, named
-
-
-def _set(holder: Node, key: str, model: Node | None) -> None:
-    reference = holder.value[key]
-    holder.value[key] = model or replace(reference, value=UNKNOWN)

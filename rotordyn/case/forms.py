@@ -5,6 +5,9 @@ Each function reads a node as its annotation says; ``FORMS`` maps annotations to
 
 from __future__ import annotations
 
+import math
+from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import replace
 from itertools import product
 from pathlib import Path
@@ -17,22 +20,29 @@ from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.measured_response import MeasuredResponse, Pair, Port
 from rotordyn.analyses.measured_spindle import MeasuredSpindle
 from rotordyn.analyses.registry import Unusable, analysis, names
+from rotordyn.analyses.stability_lobes.workpiece import Workpiece
+from rotordyn.case import expand
 from rotordyn.case.bearings import bearing, seat
 from rotordyn.case.case import ByName
-from rotordyn.case.expand import Reader, asked
+from rotordyn.case.document import MAX_DEPTH
+from rotordyn.case.expand import Reader
+from rotordyn.case.faults import Faults
 from rotordyn.case.keys import PortPair
 from rotordyn.case.leaf import is_unknown, unknown
+from rotordyn.case.machines import read_spindle
 from rotordyn.case.matrices import matrix
-from rotordyn.case.node import UNKNOWN, Node
+from rotordyn.case.node import UNKNOWN, Node, set_paths
 from rotordyn.case.ranges import sweep
 from rotordyn.case.reading import Reading, unknown_key
 from rotordyn.case.uncertain import AS_USUAL, Uncertain, Worded
 from rotordyn.description import unchecked
-from rotordyn.errors import InvalidInput
+from rotordyn.errors import InvalidInput, TooManyFaults
+from rotordyn.field import Refused, accept
 from rotordyn.machine.housing import ReducedHousing
 from rotordyn.machine.matrix import Matrix
 from rotordyn.machine.reference import QUANTITIES, Reference
 from rotordyn.machine.seat import BearingSeat
+from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.tool import Tool
 from rotordyn.quantity import Items, Quantity, Sweep
 from rotordyn.results.display import RPM
@@ -51,16 +61,31 @@ KIND_OF_UNIT = {
 
 
 def material(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
-    """Read a material, whose name or path is already resolved."""
-    if not isinstance(node.value, dict):
-        return reading.wrong_shape(annotation, node, "a name, a path or a mapping")
-    values = reading.fields(Material, node)
+    """Read a material."""
+    named = reading.files.named(Material, node)
+    values = {"": math.nan} if named is None else reading.fields(Material, named)
     return unknown(Material) if any(map(is_unknown, values.values())) else Material(**values)
 
 
 def tool(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
-    """Read a tool, whose name or path is already resolved; it is called as its file."""
-    return reading.description(Tool, node, others, name=Path(node.file).stem)
+    """Read a tool; it is called as its file."""
+    if (named := reading.files.named(Tool, node)) is None:
+        return unknown(annotation)
+    return reading.description(Tool, named, others, name=Path(named.file).stem)
+
+
+def workpiece(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
+    """Read a workpiece; without a file its coefficients are unknown, and its absence is not
+    reported in addition."""
+    named = reading.files.named(Workpiece, node)
+    faulty = replace(node, value={"coefficients": replace(node, value=UNKNOWN)})
+    return reading.description(Workpiece, named or faulty)
+
+
+def spindle(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
+    """Read a spindle without a tool."""
+    tree = expand.spindle(node, {}, reading.files)
+    return unknown(annotation) if tree is None else read_spindle(reading, tree, None)[0]
 
 
 def reference(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
@@ -204,7 +229,6 @@ def by_name(reading: Reading, annotation: Any, node: Node, others: tuple[type, .
             continue
         if child.value is None:
             node.value[name] = replace(child, value={})
-        asked(node.value[name], specs[name], reading.files)
     if node.value and not specs:
         return {"": Spec()}
     return {name: reading.value(spec, node.value[name]) for name, spec in specs.items()}
@@ -215,6 +239,34 @@ def reading_of(files: Reader) -> Reading:
     return Reading(files, FORMS)
 
 
+def in_python(annotation: Any, value: object) -> Any:
+    """Read a value given in Python as files write it: names, mappings; raises Refused.
+
+    Single values may also be objects and numbers in SI units.
+    """
+    files, node = Reader(Faults(), folders={"": Path("here")}), _written(value)
+    set_paths(node)
+    found = None
+    with suppress(TooManyFaults):
+        found = Reading(files, FORMS, accept).value(annotation, node)
+    for fault in files.faults.reported:
+        place = f".{fault.path}" if fault.path and not fault.file else ""
+        raise Refused(str(fault) if fault.file else fault.message, place)
+    return found
+
+
+def _written(value: object, depth: int = 0) -> Node:
+    """Node of a value given in Python."""
+    if depth > MAX_DEPTH:
+        raise Refused(f"nested deeper than {MAX_DEPTH} levels")
+    if isinstance(value, Mapping):
+        entries = {str(key): _written(each, depth + 1) for key, each in value.items()}
+        return Node(entries, "", 0, 0)
+    if isinstance(value, list | tuple):
+        return Node([_written(each, depth + 1) for each in value], "", 0, 0)
+    return Node(value, "", 0, 0, raw=str(value))
+
+
 FORMS: dict[type, Any] = {
     Sweep: sweep,
     Port: port,
@@ -223,6 +275,8 @@ FORMS: dict[type, Any] = {
     MeasuredSpindle: measured_spindle,
     Material: material,
     Tool: tool,
+    Workpiece: workpiece,
+    Spindle: spindle,
     BearingSeat: seat,
     BallBearing: bearing,
     Matrix: matrix,

@@ -54,6 +54,14 @@ from rotordyn.scene.conditions import Conditions
 Overrides = Mapping[str, Any]
 Stiff = Annotated[float, Quantity("stiffness", at_least="0.1 N/um", at_most="100000 N/um")]
 MOST_STEPS = 100_000
+# Descriptions of models in separate files, and the folder of the library with them.
+MODELS: dict[type, str] = {
+    Spindle: "spindles",
+    Tool: "tools",
+    BallBearing: "bearings",
+    Material: "materials",
+    Workpiece: "workpieces",
+}
 # Keys that a bearing needs of which the rest is estimated.
 ESTIMATED = ("estimate", "name", "bore_diameter", "outside_diameter", "contact_angle")
 
@@ -143,8 +151,8 @@ class _Case:
     ] = ()
     override: Annotated[
         Overrides,
-        "dotted path into the machine, items of a list by their name or place -> new value; with "
-        "or without `spindle.` (`bearing.`) before it",
+        "dotted path into the machine, with or without `spindle.` (`bearing.`) before it, or one "
+        "that begins with a key of the case -> new value ([how](reference/python.md#other-values))",
     ] = field(default_factory=dict)
     compare: Annotated[
         Mapping[Name, Variant],

@@ -10,11 +10,10 @@ from bearings.bearing import BallBearing
 from bearings.errors import shown
 from bearings.materials import Material
 from rotordyn.analyses.stability_lobes.workpiece import Workpiece
-from rotordyn.case import expand
+from rotordyn.case.expand import opened
 from rotordyn.case.forms import reading_of
+from rotordyn.case.keys import MODELS
 from rotordyn.case.library import find, known_kind
-from rotordyn.case.machines import read_spindle
-from rotordyn.case.node import Node
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.tool import Tool
@@ -44,25 +43,11 @@ def model(kind: str, reference: str | Path) -> Model:
     ------
     InvalidInput : unknown kind or model; or all faults of the file, each with its line
     """
-    root, reader = _document(known_kind(kind), reference)
-    reading = reading_of(reader)
-    described: Any = None
-    if kind == "spindles" and (tree := expand.spindle(root, {}, reader)):
-        described = read_spindle(reading, tree, None)[0]
-    elif kind == "tools" and (tree := expand.tool(root, reader)):
-        described = reading.value(Tool, tree)
-    elif kind == "bearings" and (tree := expand.bearing(root, (), reader)):
-        described = reading.value(BallBearing, tree)
-    elif kind == "materials":
-        described = reading.value(Material, root)
-    elif kind == "workpieces":
-        described = reading.value(Workpiece, root)
-    reader.faults.require_none()
-    whole: Model = described
-    return whole
-
-
-def _document(kind: str, reference: object) -> tuple[Node, expand.Reader]:
+    folder = known_kind(kind)
     if not isinstance(reference, str | os.PathLike):
         raise InvalidInput(f"a model is called by its name or path: got {shown(reference)}")
-    return expand.opened(find(kind, str(reference), Path("here")))
+    root, reader = opened(find(folder, str(reference), Path("here")))
+    declared: Any = next(each for each, name in MODELS.items() if name == folder)
+    described: Model = reading_of(reader).value(declared, root)
+    reader.faults.require_none()
+    return described

@@ -18,10 +18,11 @@ from rotordyn.case.forms import reading_of
 from rotordyn.case.library import find_case, sources_in
 from rotordyn.case.machines import named_once, read_spindle
 from rotordyn.case.node import Node
-from rotordyn.case.variants import tools_compared, unprefixed, variant_trees
+from rotordyn.case.variants import from_the_top, of_machine, tools_compared, variant_trees
 from rotordyn.description import Faults as Rules
 from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
+from rotordyn.machine.tool import Tool
 
 MOST_VARIANTS = 200
 # Keys that identify other kinds of files.
@@ -46,7 +47,7 @@ def load(path: str | Path) -> Case:
     file = find_case(path if isinstance(path, str) else Path(path))
     root, reader = expand.opened(file)
     of_tools = "tools" in root.entries()
-    root = unprefixed(tools_compared(root, reader.faults), reader.faults)
+    root = from_the_top(tools_compared(root, reader.faults), reader.faults)
     whole = _case(root, file.stem, reader)
     made: dict[str, Case] = {}
     if not reader.faults and (many := len(root.entries("compare"))) > MOST_VARIANTS:
@@ -55,9 +56,9 @@ def load(path: str | Path) -> Case:
     if not reader.faults:
         for name, tree in variant_trees(root).items():
             reader.faults.variant = name
-            tool = expand.tool(root.at("compare", name, "tool"), reader) if of_tools else None
-            title = root.child("compare", name, "title") if tool is None else tool.child("title")
             variant = _case(tree, name, reader)
+            tool = reader.named(Tool, root.at("compare", name, "tool")) if of_tools else None
+            title = (tool or tree).child("title")
             if variant is not None:
                 written = str(title.value).strip() if title is not None else ""
                 if of_tools and written in (other.title for other in made.values()):
@@ -98,15 +99,16 @@ def _case(root: Node, name: str, reader: expand.Reader) -> Case | None:
     if (other := _other_file(root.value)) and not reader.faults.variant:
         faults.at(root, f"this is a {other} file, not a case: a case names it by {other}: PATH")
         return None
+    override = of_machine(root, reader)
     named_once(root, faults)
     reading = reading_of(reader)
-    override, tree = root.entries("override"), root
+    tree = root
     spindle = bearing = fitted = None
     usable = False
     if (reference := root.child("spindle")) is not None:
         expanded = expand.spindle(reference, override, reader)
         tool = root.child("tool")
-        clamped = expand.tool(tool, reader) if tool is not None else None
+        clamped = reader.named(Tool, tool) if tool is not None else None
         if clamped is not None and "references" in override:
             clamped.value.pop("references", None)  # those of the machine as a whole are given
         usable = expanded is not None and (tool is None or clamped is not None)
@@ -114,7 +116,7 @@ def _case(root: Node, name: str, reader: expand.Reader) -> Case | None:
             spindle, fitted, machine = read_spindle(reading, expanded, clamped)
             tree = replace(root, value={**root.value, "spindle": machine})
     if (reference := root.child("bearing")) is not None:
-        expanded = expand.bearing(reference, (override,), reader)
+        expanded = expand.bearing(reference, override, reader)
         bearing = None if expanded is None else reading.value(BallBearing, expanded)
         expand.ring_sizes(root, expanded)
         usable = usable or bearing is not None

@@ -45,11 +45,13 @@ Form = Callable[["Reading", Any, Node, tuple[type, ...]], Any]
 @dataclass(frozen=True, slots=True)
 class Reading:
     """Reader of nodes: ``files`` reads the files of a case; ``forms`` has functions for values with
-    a notation of their own, by the type of the value or of a mark in its annotation.
+    a notation of their own, by the type of the value or of a mark in its annotation; ``leaf`` reads
+    single values.
     """
 
     files: Reader
     forms: Mapping[type, Form]
+    leaf: Callable[[Any, Any], Any] = leaf
 
     @property
     def faults(self) -> Faults:
@@ -81,7 +83,7 @@ class Reading:
         if get_origin(inner) is Mapping:
             return self._entries(inner, node)
         try:
-            return leaf(annotation, node.value)
+            return self.leaf(annotation, node.value)
         except Refused as refusal:
             self.faults.at(node, refusal.why)
             return unknown(annotation)
@@ -126,7 +128,7 @@ class Reading:
         refusals = {}
         for form in forms:
             try:
-                return leaf(form, node.value)
+                return self.leaf(form, node.value)
             except Refused as refusal:
                 refusals[limit_of(form)] = refusal.why
         number = isinstance(node.value, str) and node.value[:1] in "+-.0123456789" and node.value
@@ -210,6 +212,8 @@ class Reading:
             annotation = annotations.get(field.name, field.annotation)
             values[field.name] = self._field(replace(field, annotation=annotation), node, others)
         values.pop("", None)
+        if "own" in values:
+            values["own"] = tuple(k for k, child in node.entries().items() if not child.shared)
         return values
 
     def given(self, kind: type, node: Node) -> dict[str, Any]:

@@ -21,9 +21,8 @@ from rotordyn.analyses.measured_response import Pair, Port
 from rotordyn.analyses.registry import analysis, names
 from rotordyn.case.case import ByName, Case
 from rotordyn.case.identification import IdentificationFile
-from rotordyn.case.keys import COMMON, ESTIMATED, PortPair, Range, Variant, keys_of
+from rotordyn.case.keys import COMMON, ESTIMATED, MODELS, PortPair, Range, Variant, keys_of
 from rotordyn.case.library import known
-from rotordyn.case.named_models import MODELS
 from rotordyn.case.study import OptimumFile, StudyFile
 from rotordyn.case.uncertain import AS_USUAL, Worded
 from rotordyn.errors import InvalidInput

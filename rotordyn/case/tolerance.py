@@ -136,9 +136,6 @@ def _found(case: Case, path: str) -> list[tuple[str, Any, Any]]:
     values = places(case, path)
     if values:
         return values
-    for room in ("spindle", "bearing", "conditions"):
-        if places(case, f"{room}.{path}"):
-            raise InvalidInput(f"unknown path '{path}' (did you mean {room}.{path}?)")
     try:
         vary(case, {path: None})  # raises with the part of the path that does not exist
     except InvalidInput as refusal:

@@ -5,8 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
+from rotordyn.case.expand import Reader
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node, merged, overlaid
+from rotordyn.case.override import apply
+from rotordyn.case.varied import IN_FILES, from_top, turn_of
 
 _MERGED = ("override", "references")
 
@@ -34,26 +37,38 @@ def tools_compared(root: Node, faults: Faults) -> Node:
     return replace(root, value=content)
 
 
-def unprefixed(root: Node, faults: Faults) -> Node:
-    """Remove the optional prefix ``spindle.`` (``bearing.``) from the paths of overrides."""
+def from_the_top(root: Node, faults: Faults) -> Node:
+    """Write the paths of overrides from the top of the case."""
     tree = root.copy()
-    machine = "spindle" if root.child("spindle") is not None else "bearing"
     for holder in (tree, *tree.entries("compare").values()):
-        _cut(holder, machine, faults)
+        override = holder.entries("override")
+        for path in sorted(override, key=turn_of):
+            value, whole = override.pop(path), from_top(path, "spindle" in root.value, IN_FILES)
+            if whole in override:
+                given = whole.partition(".")
+                why = f"given twice: '{given[2]}', with and without '{given[0]}.' before it"
+                faults.at_key(value, why)
+            override[whole] = value
     return tree
 
 
-def _cut(holder: Node, machine: str, faults: Faults) -> None:
-    override = holder.child("override")
-    if override is None or not isinstance(override.value, dict):
-        return
-    short: dict[str, Node] = {}
-    for path, value in override.value.items():
-        name = path.removeprefix(f"{machine}.") if isinstance(path, str) else path
-        if name in short:
-            faults.at_key(value, f"given twice: '{name}', with and without '{machine}.' before it")
-        short[name] = value
-    override.value = short
+def of_machine(root: Node, reader: Reader) -> dict[str, Node]:
+    """Changes of overrides by their path within the machine; all others are made in ``root``.
+
+    Those within the tool are kept, as variants may have another one.
+    """
+    override, within = root.entries("override"), {}
+    machine = "spindle" if root.child("spindle") else "bearing"
+    for path in [*override]:
+        room, dot, rest = path.partition(".")
+        change = override[path] if room == "tool" else override.pop(path)
+        if dot and room == machine:
+            override[path] = within[rest] = change
+        elif dot and room in ("spindle", "bearing", "tool") and root.child(room) is None:
+            reader.faults.at_key(change, f"leads into the {room}, and this case has none")
+        else:
+            apply({path: change}, root, reader.faults, reader.opened)
+    return within
 
 
 def variant_trees(root: Node) -> dict[str, Node]:
@@ -67,7 +82,8 @@ def variant_trees(root: Node) -> dict[str, Node]:
 
 def _changed(root: Node, changes: Node) -> Node:
     tree = root.copy()
-    del tree.value["compare"]
+    for key in ("compare", "title"):
+        tree.value.pop(key, None)
     for key, value in changes.entries().items():
         if key == "conditions":
             tree.value[key] = overlaid(tree.child(key), value)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, is_dataclass
 from itertools import chain
 from typing import Annotated, Any
@@ -13,11 +13,14 @@ from rotordyn.case.keys import COMMON, Common, fields_of
 from rotordyn.description import quantity_of
 from rotordyn.field import declared, found_in, kinds_of, metadata, parts_of
 from rotordyn.machine.matrix import Matrix, entry_name
-from rotordyn.quantity import HIDDEN, Quantity
+from rotordyn.quantity import HIDDEN, Quantity, suggestion
 from rotordyn.units import KINDS, parse_unit
 
 OF_CASES = ("spindle", "bearing", "conditions")
+OF_CASE = frozenset(field.keys[0] if field.keys else field.name for field in declared(Case))
 APART = (("name",), ("title",), ("references",))  # no result depends on these
+# Those that overrides in files may change; a file adds its references to those of its machine.
+IN_FILES = {field.keys[0] for field in declared(Case) if field.keys} - {"references"} | {"tool"}
 Leaf = tuple[Any, Quantity | None]
 Steps = tuple[str, ...]
 
@@ -71,14 +74,40 @@ def found_at(case: Case, path: str, *, absent: bool = False) -> list[tuple[Any, 
 
 
 def places(case: Case, path: str, *, absent: bool = False) -> list[tuple[str, Any, Any]]:
-    """Like ``found_at``, each with its own path in which ``*`` is replaced."""
-    matches = _at(case, tuple(path.split(".")), None, (), absent)
+    """Like ``found_at``, each with its own path from the top, in which ``*`` is replaced."""
+    steps = from_top(path, case.bearing is None).split(".")
+    matches = reached(case, tuple(steps), absent=absent)
     return [(".".join(way), value, annotation) for way, value, annotation in matches]
 
 
-def _at(
-    value: Any, steps: Steps, annotation: Any, done: Steps, absent: bool
+def from_top(path: str, spindle: bool, keys: Collection[str] = OF_CASE) -> str:
+    """A path from the top of a case, of a ``spindle`` or a single bearing: one that begins with
+    none of the ``keys`` of the case lies in its machine."""
+    if path.partition(".")[0] in keys:
+        return path
+    return f"spindle.{path}" if spindle else f"bearing.{path}"
+
+
+def no_such(step: str, names: Iterable[str], what: str, where: str, inner: str = "") -> str:
+    """Sentence on a step of a path that leads nowhere; ``inner``: path on which it exists."""
+    known = [*dict.fromkeys(filter(None, names))]
+    listed = ", ".join(known[:12]) + (", …" if len(known) > 12 else "")
+    if what == "number":
+        return f"unknown number '{step}'{where}; allowed: from 1 to {len(known)}"
+    hint = f" (did you mean {inner}?)" if inner else suggestion(step, known)
+    return f"unknown {what} '{step}'{where}; allowed: {listed or 'none, it is empty'}{hint}"
+
+
+def turn_of(path: str) -> tuple[int, int]:
+    """Sort key of paths that are changed together: what is within something, and one item of all,
+    come later."""
+    return path.count("."), -path.count("*")
+
+
+def reached(
+    value: Any, steps: Steps, annotation: Any = None, done: Steps = (), *, absent: bool = False
 ) -> Iterator[tuple[Steps, Any, Any]]:
+    """Yield own steps, value and annotation of all that ``steps`` lead to within a value."""
     if not steps:
         yield done, value, annotation
         return
@@ -91,7 +120,8 @@ def _at(
         for way, inner, inside in below:
             fits = all(step in ("*", key) for step, key in zip(ahead, way, strict=False))
             if fits and len(ahead) >= len(way):
-                yield from _at(inner, ahead[len(way) :], inside, (*done, *way), absent)
+                rest = ahead[len(way) :]
+                yield from reached(inner, rest, inside, (*done, *way), absent=absent)
 
 
 def _below(value: Any, annotation: Any) -> Iterator[tuple[tuple[str, ...], Any, Any]]:
@@ -179,5 +209,5 @@ def ways_of_items(holder: Any, common: Common, steps: Steps) -> list[Steps]:
     kind: Any = type(holder)
     name = next(field.name for field in declared(kind) if field.keys == (listed,))
     rest = (key, *steps[len(common.keys) :])
-    items = [each for each in getattr(holder, name) if hasattr(each, "own")]
-    return [(listed, each.name, *rest) for each in items if key not in each.own]
+    items = enumerate(getattr(holder, name), start=1)
+    return [(listed, called_at(k, each), *rest) for k, each in items if key not in each.own]

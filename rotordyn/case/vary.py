@@ -6,7 +6,7 @@ import hashlib
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import nullcontext
 from dataclasses import dataclass, is_dataclass, replace
-from functools import partial
+from functools import cache, partial
 from typing import Annotated, Any, TypeVar, get_args, get_origin
 
 from bearings.bearing import BallBearing
@@ -15,9 +15,18 @@ from rotordyn.analyses.registry import analysis, names
 from rotordyn.case.arranged import CLASSES
 from rotordyn.case.case import ByName, Case
 from rotordyn.case.deeper import deeper
-from rotordyn.case.keys import fields_of
-from rotordyn.case.named_models import MODELS as FOLDERS
-from rotordyn.case.varied import called, called_at, common_at, ways_of_items
+from rotordyn.case.keys import COMMON, fields_of, keys_of
+from rotordyn.case.varied import (
+    Steps,
+    called,
+    called_at,
+    common_at,
+    from_top,
+    no_such,
+    reached,
+    turn_of,
+    ways_of_items,
+)
 from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
 from rotordyn.field import (
@@ -26,6 +35,7 @@ from rotordyn.field import (
     Refused,
     accept,
     declared,
+    descriptions,
     found_in,
     kinds_of,
     parts_of,
@@ -39,8 +49,9 @@ from rotordyn.machine.tool import Tool
 from rotordyn.quantity import Choice, suggestion
 
 D = TypeVar("D")
+K = TypeVar("K")
 LONGEST = 1000  # characters of a path
-MODELS = (Spindle, BallBearing, Tool)  # can only be given as a whole
+WHOLE = (Spindle, BallBearing, Tool)  # cannot begin with defaults
 OF_CLASS = ("arrangement", "preload", "class")
 NO_KEYS = ("tool", "variants")  # fields of a case that paths may name though files have no such key
 
@@ -51,7 +62,11 @@ class _Change:
 
     value: object
     path: str
-    steps: tuple[str, ...]
+    steps: Steps
+
+    def inside(self, count: int) -> _Change:
+        """The change without the first steps, which lead to what it is within."""
+        return _Change(self.value, self.path, self.steps[count:])
 
     def refused(self, why: str, place: str = "") -> InvalidInput:
         return InvalidInput(f"{self.path}{place}: {why}")
@@ -60,17 +75,19 @@ class _Change:
 def vary(description: D, changes: Mapping[str, object]) -> D:
     """``description`` with other values at dotted paths; the description itself stays as it is.
 
-    A path begins at the top of a case: it names keys, items of a list by their ``name`` or, where
-    they have none, by their place from 1 (``spindle.damping.rotor.1``), entries of a mapping by
-    their key, further points by a name that is like none there is; ``*`` stands for every item or
-    entry.
-    What a file gives once for all bearings (``spindle.fits``) goes to those that give none
-    themselves; what is absent (``conditions.temperatures``) begins with its defaults; ``tool`` is
-    what is in the nose.
-    Values are in SI units, or text with a unit (``"8 N/um"``) where the field has a dimension, and
-    replace what is there. All changes are made together: only the outcome must be possible; what
-    is within something that is replaced, and one item of all, have their own values. What
-    changes a case changes its variants too, unless the path begins with ``variants``.
+    A path is that of ``override`` in files. It begins at the top of a case, or within its machine
+    (``sleeves.front.mass`` is ``spindle.sleeves.front.mass``); of a key that both have, that of the
+    case is meant. It names keys, items of a list by their ``name`` or, where they have none, by
+    their place from 1 (``damping.rotor.1``), entries of a mapping by their key, further points by a
+    name that is like none there is; ``*`` stands for every item or entry.
+    What a file gives once for all bearings (``fits``) goes to those that give none themselves; what
+    is absent (``conditions.temperatures``) begins with its defaults; ``tool`` is what is in the
+    nose.
+    Values are objects, numbers in SI units, or as files write them: text with a unit
+    (``"8 N/um"``), names of models, mappings. They replace what is there. All changes are made
+    together: only the outcome must be possible; what is within something that is replaced, and one
+    item of all, have their own values. What changes a case changes its variants too, unless the
+    path begins with ``variants``.
 
     Raises
     ------
@@ -88,7 +105,14 @@ def changed(description: D, changes: Mapping[str, object]) -> D:
     if not isinstance(changes, Mapping):
         raise InvalidInput(f"changes map a dotted path to a value: given {shown(changes)}")
     listed = [_change(path, value) for path, value in changes.items()]
-    listed.sort(key=lambda each: (len(each.steps), -each.steps.count("*")))
+    if isinstance(description, Case):
+        listed = [_from_top(description, each) for each in listed]
+        last = {each.steps: each for each in listed}
+        for change in listed:
+            if last[change.steps] is not change:
+                room = change.steps[0]
+                raise change.refused(f"given twice, with and without '{room}.' before it")
+    listed.sort(key=lambda each: turn_of(".".join(each.steps)))
     if isinstance(description, Case):
         listed = [*_of_variants(description, listed), *listed]
     return _fields(description, listed)
@@ -110,6 +134,17 @@ def _change(path: object, value: object) -> _Change:
     return _Change(value, path, tuple(path.split(".")))
 
 
+def _from_top(case: Case, change: _Change) -> _Change:
+    """Complete a path that begins within the machine of ``case``."""
+    path = from_top(change.path, spindle=case.bearing is None)
+    if path == change.path:
+        return change
+    machine: Any = Spindle if case.bearing is None else type(case.bearing)
+    known = [*_keys(Case), *(field.keys[0] for field in keys_of(machine) if field.keys)]
+    _require_known(change, known, "key", deeper(Case, change.steps[0]))
+    return replace(change, steps=(*path.split("."),))
+
+
 def _signed(case: Any) -> Any:
     """Give a changed case a digest of its own, as its files no longer define it."""
     text = f"{case.digest} {replace(case, files=(), digest='')!r}"
@@ -124,7 +159,7 @@ def _value(annotation: Any, old: Any, changes: Sequence[_Change]) -> Any:
     if not changes:
         return old
     kinds = kinds_of(annotation) if old is None else []
-    if kinds and kinds[0] not in MODELS:
+    if kinds and kinds[0] not in WHOLE:
         return _begun(kinds, changes)
     if is_dataclass(old):
         return _fields(old, changes)
@@ -137,45 +172,91 @@ def _value(annotation: Any, old: Any, changes: Sequence[_Change]) -> Any:
     )
 
 
+def value_of(annotation: Any, value: object) -> Any:
+    """Convert a value: an object or number in SI units, or as files write it; raises Refused."""
+    try:
+        return accept(annotation, value)
+    except Refused:
+        listed = value if isinstance(value, list | tuple) else [value]
+        mapped = any(isinstance(each, Mapping) for each in listed)
+        named = any(isinstance(each, str) for each in listed) and any(descriptions(annotation))
+        if not mapped and not named:
+            raise
+    from rotordyn.case.forms import in_python  # reads YAML, which vary seldom needs
+
+    return in_python(annotation, value)
+
+
 def _taken(annotation: Any, change: _Change) -> Any:
     try:
-        return accept(annotation, change.value)
+        return value_of(annotation, change.value)
     except Refused as refusal:
-        folder = next((FOLDERS[k] for k in kinds_of(annotation) if k in FOLDERS), "")
-        named = folder and isinstance(change.value, str)
-        hint = f", such as rotordyn.model('{folder}', {shown(change.value)})" if named else ""
-        raise change.refused(f"{refusal.why}{hint}", refusal.place) from None
+        raise change.refused(refusal.why, refusal.place) from None
 
 
 def _fields(old: Any, changes: Sequence[_Change]) -> Any:
     fields = {field.name: field for field in fields_of(old.__class__)}
     if isinstance(old, Case):
         changes = _clamped(old, fields["tool"], changes)
-    ways = [way for each in changes for way in _ways(old, _of_class(old, each))]
-    groups = _by_field([*fields.values()], ways, old.__class__)
+    of_model: dict[str, Any] = {}
     if isinstance(old, BearingSeat):
-        for name in ("fits", "flexible_rings"):
-            if getattr(old, name) is None and name in groups:
-                given = replace(groups[name][0], steps=())
-                sized = [replace(given, value=v, steps=(key,)) for key, v in old.sizes.items()]
-                groups[name] = [*sized, *groups[name]]
-    new = {
+        of_model, changes = _of_model(old, changes)
+    ways = [way for each in changes for way in _of_items(old, _of_class(old, each))]
+    groups = _by_field(old.__class__, ways)
+    new = of_model | {
         name: _value(fields[name].annotation, getattr(old, name), group)
         for name, group in groups.items()
     }
-    if isinstance(old, BearingSeat):
-        whole = [change.value for change in groups.get("bearing", ()) if not change.steps]
-        if any(each != old.bearing for each in whole):
-            new |= {"model": "", "preloads": ()}  # of the previous bearing
     if isinstance(arrangement := new.get("arrangement"), BearingSet):
         turned = arrangement.turned(old.seats)
         new["seats"] = _value(fields["seats"].annotation, turned, groups.setdefault("seats", []))
     made = _made(partial(replace, old), new, changes)
-    for name, value in new.items():
+    for name in groups:
         result = getattr(made, name)
-        if result is not value and result != value:
+        if result is not new[name] and result != new[name]:
             _require_kept(fields[name].annotation, result, groups[name])
     return made
+
+
+def _of_model(old: BearingSeat, changes: Sequence[_Change]) -> tuple[dict[str, Any], list[_Change]]:
+    """What else another model gives to a bearing: values of fields, and the sizes of its rings to
+    what is new within the bearing, or had those of the model before."""
+    hidden: dict[str, Any] = {}
+    sized, listed = [], [*changes]
+    for k, change in enumerate(changes):
+        if change.steps != ("model",) or change.value == old.bearing:
+            continue
+        if isinstance(change.value, BallBearing):
+            hidden |= {"model": "", "preloads": ()}
+        else:
+            content = {"name": old.name, "x": 0.0, "thrust": old.thrust}
+            content |= {"model": change.value, "model_override": old.override}
+            whole = change.path.removesuffix(".model")
+            read = _taken(BearingSeat, replace(change, value=content, path=whole))
+            hidden |= {name: getattr(read, name) for name in ("model", "preloads", "sizes")}
+            listed[k] = replace(change, value=read.bearing)
+    sizes = hidden.get("sizes", old.sizes)
+    for fills in (common.fills for common in COMMON[BearingSeat] if common.fills[-1] in sizes):
+        size, before = sizes[fills[-1]], old.sizes.get(fills[-1])
+        within = [each for each in listed if each.steps[: len(fills) - 1] == fills[:-1]]
+        if within or size != before:
+            held = [value for _, value, _ in reached(old, fills)]
+            if (within and not held) or (size != before and held == [before]):
+                sized.append(_Change(size, (within or listed)[0].path, fills))
+        for k, each in enumerate(listed):
+            if isinstance(each.value, Mapping) and fills[: len(each.steps)] == each.steps:
+                value = _with_size(each.value, fills[len(each.steps) :], size)
+                listed[k] = replace(each, value=value)
+    return hidden, [*sized, *listed]
+
+
+def _with_size(value: object, steps: Steps, size: float) -> object:
+    """A mapping as files write it, with the size of a ring where it gives none itself."""
+    if not isinstance(value, Mapping):
+        return value
+    if len(steps) == 1:
+        return {steps[0]: size, **value}
+    return {k: _with_size(v, steps[1:], size) if k == steps[0] else v for k, v in value.items()}
 
 
 def _of_class(old: Any, change: _Change) -> _Change:
@@ -217,36 +298,20 @@ def _made(kind: Callable[..., Any], values: Mapping[str, Any], changes: Sequence
 def _begun(kinds: Sequence[type], changes: Sequence[_Change]) -> Any:
     """Create an absent value: the kind whose keys match best, other fields at their defaults."""
     keys = {change.steps[0] for change in changes}
-    by_kind = {kind: {f.keys[0]: f for f in declared(kind) if f.keys} for kind in kinds}
-    kind = max(by_kind, key=lambda each: len(keys & by_kind[each].keys()))
-    fields = declared(kind)
-    groups = _by_field(fields, changes, kind)
+    kind = max(kinds, key=lambda each: len(keys & {key for key, *_ in _ways(each)}))
+    fields, groups = declared(kind), _by_field(kind, changes)
     missing = [".".join(f.keys) for f in fields if f.default is REQUIRED and f.name not in groups]
     if missing:
         raise changes[0].refused(
             f"is not given yet, and the part that it belongs to also needs {', '.join(missing)}: "
             "give these too"
         )
-    new = {
-        f.name: _value(f.annotation, None if f.default is REQUIRED else f.default, groups[f.name])
-        for f in fields
-        if f.name in groups
-    }
-    return _made(kind, new, changes)
+    with unchecked():
+        usual = kind(**{f.name: None if f.default is REQUIRED else f.default for f in fields})
+    return _fields(usual, changes)
 
 
-def _by_field(
-    fields: Sequence[Field], changes: Iterable[_Change], kind: type
-) -> dict[str, list[_Change]]:
-    """Group changes by the field they lead to; its keys are removed from their steps."""
-    groups: dict[str, list[_Change]] = {}
-    for change in changes:
-        field, rest = _field(fields, change, kind)
-        groups.setdefault(field.name, []).append(rest)
-    return groups
-
-
-def _ways(old: Any, change: _Change) -> list[_Change]:
+def _of_items(old: Any, change: _Change) -> list[_Change]:
     """The change itself, or one for every item that shares the common value it leads to."""
     common = common_at(old, change.steps)
     if common is None:
@@ -267,7 +332,12 @@ def _clamped(case: Case, field: Field, changes: Sequence[_Change]) -> Sequence[_
     of_tool = [change for change in changes if change.steps[0] == "tool"]
     whole = [change for change in changes if change.steps == ("spindle",)]
     if whole:  # a spindle given as a whole already contains its tool
-        tool, spindle = None, _taken(Spindle, replace(whole[-1], steps=()))
+        tool, spindle = None, _taken(Spindle | None, replace(whole[-1], steps=()))
+        before, after = (each.references if each else () for each in (case.spindle, spindle))
+        known = (*after, *(each for each in case.references if each not in before))
+        changes = [replace(whole[-1], value=known, steps=("references",)), *changes]
+        if case.tool and not of_tool and not isinstance(whole[-1].value, Spindle):
+            of_tool = [replace(whole[-1], value=case.tool, steps=("tool",))]
     else:
         tool, spindle = case.tool, case.spindle
     if not of_tool:
@@ -275,7 +345,7 @@ def _clamped(case: Case, field: Field, changes: Sequence[_Change]) -> Sequence[_
     if spindle is None:
         raise of_tool[0].refused("a tool needs a spindle: this case has none")
     rest = [change for change in changes if change not in (*of_tool, *whole)]
-    new = _value(field.annotation, tool, [replace(c, steps=c.steps[1:]) for c in of_tool])
+    new = _value(field.annotation, tool, [c.inside(1) for c in of_tool])
     further = any(change.steps[0] == "spindle" for change in rest)
     with unchecked() if further else nullcontext():  # checked with what else changes
         bare = _made(lambda: spindle.without_tool(tool) if tool else spindle, {}, of_tool)
@@ -284,51 +354,63 @@ def _clamped(case: Case, field: Field, changes: Sequence[_Change]) -> Sequence[_
     return [*(replace(of_tool[0], value=v, steps=(key,)) for key, v in first.items()), *rest]
 
 
-def _field(fields: Sequence[Field], change: _Change, kind: type) -> tuple[Field, _Change]:
-    """The field to which the first steps of a path lead, and the change with the remaining ones."""
-    ways: dict[tuple[str, ...], Field] = {(f.name,): f for f in fields if not f.keys}
-    ways |= {field.keys: field for field in fields if field.keys}
-    for way, field in ways.items():
-        if change.steps[: len(way)] == way:
-            return field, replace(change, steps=change.steps[len(way) :])
-    within = [way for way in ways if len(way) > 1 and way[0] == change.steps[0]]
+@cache
+def _ways(kind: Any) -> dict[Steps, str]:
+    """Fields of a description by the steps that lead to them."""
+    fields = fields_of(kind)
+    ways = {(field.name,): field.name for field in fields if not field.keys}
+    return ways | {field.keys: field.name for field in fields if field.keys}
+
+
+def _keys(kind: type) -> list[str]:
+    """First keys of a description that files have, and those that paths may name besides."""
+    fields = fields_of(kind)
+    named = [field.name for field in fields if not field.keys and field.name in NO_KEYS]
+    return [*(field.keys[0] for field in fields if field.keys), *named]
+
+
+def _by_field(kind: type, changes: Iterable[_Change]) -> dict[str, list[_Change]]:
+    """Group changes by the field they lead to."""
+    return _grouped(changes, _ways(kind), partial(_no_field, kind))
+
+
+def _no_field(kind: type, change: _Change) -> None:
+    """Raise for a path that leads to no field."""
+    first, ways = change.steps[0], _ways(kind)
+    within = [way[1] for way in ways if len(way) > 1 and way[0] == first]
+    if within and len(change.steps) == 1:
+        inner = ", ".join(f"{change.path}.{key}" for key in within)
+        raise change.refused(f"holds several values, each with a path of its own: change {inner}")
     if within:
-        change = replace(change, steps=change.steps[1:])
-        if not change.steps:
-            inner = ", ".join(f"{change.path}.{way[1]}" for way in within)
-            raise change.refused(
-                f"holds several values, each with a path of its own: change {inner}"
-            )
-        _known(change, change.steps[0], [way[1] for way in within], "key")
-    called = {field.name: way for way, field in ways.items()}
-    if (key := called.get(change.steps[0])) is not None:
-        raise change.refused(f"'{change.steps[0]}' is called '{'.'.join(key)}' here, as in files")
-    inner = deeper(kind, change.steps[0])
-    named = [way[0] for way, field in ways.items() if field.keys]
-    named += [field.name for field in fields if not field.keys and field.name in NO_KEYS]
-    _known(change, change.steps[0], named, "key", inner)
+        _require_known(change.inside(1), within, "key")
+    key = next((".".join(way) for way, name in ways.items() if name == first), first)
+    if key != first:
+        raise change.refused(f"'{first}' is called '{key}' here, as in files")
+    _require_known(change, _keys(kind), "key", deeper(kind, first))
     raise change.refused("does not exist here")
 
 
 def _items(annotation: Any, old: tuple[Any, ...], changes: Sequence[_Change]) -> tuple[Any, ...]:
-    names = [called_at(k, item) for k, item in enumerate(old, start=1)]
-    groups = _grouped(changes, names, "name" if hasattr(old[0], "name") else "number")
+    ways = {(called_at(k, item),): k for k, item in enumerate(old, start=1)}
+    what = "name" if hasattr(old[0], "name") else "number"
+    refuse = partial(_require_known, known=[way[0] for way in ways], what=what)
+    groups = _grouped(changes, ways, refuse, ways)
     member = parts_of(annotation, tuple)[0]
-    pairs = zip(names, old, strict=True)
-    return tuple(_value(member, item, groups.get(name, [])) for name, item in pairs)
+    return tuple(_value(member, item, groups.get(k, [])) for k, item in enumerate(old, start=1))
 
 
 def _entries(annotation: Any, old: Mapping[Any, Any], changes: Sequence[_Change]) -> dict[Any, Any]:
     key, member = parts_of(annotation, Mapping)
     closed = names() if found_in(annotation, ByName) else _closed(key)
-    keys = {called(name): name for name in [*old, *closed]}
+    ways = {(called(name),): name for name in [*old, *closed]}
+    known = [way[0] for way in ways]
     if not closed and member is not Case:  # names of one's own, such as a further point
         steps = (change.steps[0] for change in changes)
-        keys |= {step: step for step in steps if step != "*" and not suggestion(step, keys)}
-    groups = _grouped(changes, [called(name) for name in old], "key", list(keys))
+        ways |= {(step,): step for step in steps if step != "*" and not suggestion(step, known)}
+    refuse = partial(_require_known, known=known, what="key")
+    groups = _grouped(changes, ways, refuse, [(called(name),) for name in old])
     matrix, new = found_in(annotation, Matrix), {}
-    for text, group in groups.items():
-        name = keys[text]
+    for name, group in groups.items():
         if matrix is not None:
             one = Annotated[float, matrix.quantity(*name)]
             member = one | tuple[one, ...]
@@ -348,30 +430,34 @@ def _closed(key: Any) -> list[object]:
 
 
 def _grouped(
-    changes: Sequence[_Change], present: list[str], what: str, known: list[str] | None = None
-) -> dict[str, list[_Change]]:
-    """Group changes by their first step, which is removed from them."""
-    groups: dict[str, list[_Change]] = {}
+    changes: Iterable[_Change],
+    ways: Mapping[Any, K],
+    refuse: Callable[[_Change], None],
+    every: Iterable[Steps] | None = None,
+) -> dict[K, list[_Change]]:
+    """Group changes by what their first steps lead to, which are removed from them.
+
+    ``every``: the ways that ``*`` stands for; ``refuse`` raises for a step that leads nowhere.
+    """
+    groups: dict[K, list[_Change]] = {}
     for change in changes:
-        step, rest = change.steps[0], replace(change, steps=change.steps[1:])
-        if step != "*":
-            _known(change, step, known or present, what)
-        for name in present if step == "*" else [step]:
-            groups.setdefault(name, []).append(rest)
+        if change.steps[0] == "*" and every is not None:
+            leads = [*every]
+        else:
+            leads = [way for way in (change.steps[:1], change.steps[:2]) if way in ways][:1]
+            if not leads:
+                refuse(change)
+        for way in leads:
+            groups.setdefault(ways[way], []).append(change.inside(len(way)))
     return groups
 
 
-def _known(change: _Change, step: str, known: Iterable[str], what: str, inner: str = "") -> None:
-    names = [*dict.fromkeys(name for name in known if name)]
-    if step in names:
-        return
-    listed = ", ".join(names[:12]) + (", …" if len(names) > 12 else "")
-    where = f" in '{_way_to(change)}'" if len(change.steps) < change.path.count(".") + 1 else ""
-    if what == "number":
-        raise change.refused(f"unknown number '{step}'{where}; allowed: from 1 to {len(names)}")
-    hint = f" (did you mean {inner}?)" if inner else suggestion(step, names)
-    allowed = f"{listed or 'none, it is empty'}{hint}"
-    raise change.refused(f"unknown {what} '{step}'{where}; allowed: {allowed}")
+def _require_known(change: _Change, known: Iterable[str], what: str, inner: str = "") -> None:
+    """Raise if the next step of a path is not ``known``; ``inner``: path on which it is."""
+    step, names = change.steps[0], [*known]
+    if step not in names:
+        where = f" in '{way}'" if (way := _way_to(change)) else ""
+        raise change.refused(no_such(step, names, what, where, inner))
 
 
 def _way_to(change: _Change) -> str:

@@ -13,9 +13,9 @@ import yaml
 
 from rotordyn.case.case import Case
 from rotordyn.case.expand import opened
+from rotordyn.case.varied import IN_FILES, from_top
 from rotordyn.errors import InvalidInput
 
-MACHINES = ("spindle", "bearing")
 COMPARED = ("compare", "tools")
 
 
@@ -40,37 +40,15 @@ def write_changed(
     kept = {key: value for key, value in content.items() if key not in COMPARED}
     whole = _renamed(kept, partial(_placed, source.parent))
     whole["title"] = title
-    for dotted, value in changes.items():
-        room, _, rest = dotted.partition(".")
-        if room in MACHINES and rest:
-            whole.setdefault("override", {})[rest] = value
-        else:
-            _put(whole, dotted.split("."), value)
+    override = {**whole.get("override", {}), **changes}
+    machine = "spindle" in whole
+    whole["override"] = {from_top(path, machine, IN_FILES): v for path, v in override.items()}
     content = whole if home is None else _renamed(whole, partial(_near, home.resolve()))
     text = yaml.safe_dump(content, sort_keys=False, allow_unicode=True, width=100)
     try:
         path.write_text(text, encoding="utf-8", newline="\n")
     except OSError as error:
         raise InvalidInput(f"{path}: cannot be written: {error.strerror}") from None
-
-
-def _put(container: Any, steps: list[str], value: Any) -> None:
-    """Set a value in a mapping, or in a list whose items have a ``name`` or an index from 1."""
-    step, rest = steps[0], steps[1:]
-    key: Any = _names(container).index(step) if isinstance(container, list) else step
-    if not rest:
-        container[key] = value
-        return
-    if isinstance(container, dict) and not isinstance(container.get(key), dict | list):
-        container[key] = {}
-    _put(container[key], rest, value)
-
-
-def _names(items: list[Any]) -> list[str]:
-    named = (
-        (k, item.get("name") if isinstance(item, dict) else None) for k, item in enumerate(items)
-    )
-    return [str(k + 1 if name is None else name) for k, name in named]
 
 
 def _renamed(value: Any, name: Callable[[str], str]) -> Any:

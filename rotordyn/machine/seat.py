@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Annotated
+from typing import Annotated, Any
 
 from bearings.ball.law import KINEMATICS, MOMENT_SHARING, Law
 from bearings.bearing import BallBearing
@@ -55,10 +55,10 @@ class BearingSeat(Description):
     ``thrust``: for a kind that takes thrust in both directions, the direction of positive axial
     load and of the load by a spring of its sleeve; 0 means +1 there. The ball model is that of the
     conditions of the case unless given here; friction ``none`` or infinite: no limit. Damping
-    [N·s/m] acts between its rings; tilt is not damped. ``own``: keys given here among those that a
-    spindle gives for all bearings; ``sizes``: of its rings, from its model, for fits [m];
+    [N·s/m] acts between its rings; tilt is not damped. ``own``: keys given here, not for all
+    bearings; ``sizes``: of its rings, from its model, for fits [m];
     ``by_set``: its set gives the thrust; ``preloads``: of a pair by the classes of its maker,
-    light, medium, heavy [N].
+    light, medium, heavy [N]; ``override``: what the files change of any model here, as written.
     """
 
     name: Annotated[Name, "name of this bearing"]
@@ -104,6 +104,9 @@ class BearingSeat(Description):
     )
     by_set: Annotated[bool, HIDDEN] = field(default=False, repr=False, compare=False)
     preloads: Annotated[tuple[Load, ...], HIDDEN] = field(default=(), repr=False, compare=False)
+    override: Annotated[Mapping[str, Any], HIDDEN] = field(
+        default_factory=dict, repr=False, compare=False
+    )
 
     def __post_init__(self) -> None:
         given, bearing = self.thrust, self.known_bearing

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from bisect import bisect_right
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import accumulate
 from typing import Annotated
@@ -13,6 +13,7 @@ from typing import Annotated
 from bearings.materials import Material
 from rotordyn.description import Description, Faults, named_twice
 from rotordyn.quantity import (
+    HIDDEN,
     SHEAR_COEFFICIENT,
     Bore,
     Choice,
@@ -35,7 +36,8 @@ class Section(Description):
     """A hollow cylinder, or a cone where diameters at its rear end are given [m].
 
     Diameters are those of the front end, and of the rear end where none are given for it; they
-    change linearly along the axis.
+    change linearly along the axis. ``own``: keys given here, not
+    for all sections.
     """
 
     length: Annotated[Length, "along the axis"]
@@ -59,6 +61,7 @@ class Section(Description):
         "differ from the density of the material; centrifugal growth and shortening use that of "
         "the material",
     ] = None
+    own: Annotated[tuple[str, ...], HIDDEN] = field(default=(), repr=False, compare=False)
 
     def _faults(self) -> Faults:
         faults = [*no_wall(self.inner_diameter, self.outer_diameter)]
@@ -137,7 +140,8 @@ class Shaft(Description):
     def preceded_by(self, sections: tuple[Section, ...]) -> Shaft:
         """Return this shaft with ``sections`` in front of its start (a tool in the nose)."""
         start = self.start - sum(s.length for s in sections)
-        return replace(self, start=start, sections=sections + self.sections)
+        front = tuple(replace(s, own=("material",)) for s in sections)
+        return replace(self, start=start, sections=front + self.sections)
 
     def without_first(self, count: int) -> Shaft:
         """Return this shaft without its first ``count`` sections."""

@@ -10,14 +10,13 @@ from typing import Any
 import numpy as np
 
 from rotordyn.case.case import Case
-from rotordyn.case.model import model
-from rotordyn.case.named_models import MODELS
+from rotordyn.case.keys import MODELS
 from rotordyn.case.study import MOST_POINTS
 from rotordyn.case.varied import found_at, usual_unit
-from rotordyn.case.vary import vary
+from rotordyn.case.vary import value_of, vary
 from rotordyn.description import quantity_of
 from rotordyn.errors import InvalidInput
-from rotordyn.field import Refused, accept, kinds_of, shown
+from rotordyn.field import Refused, kinds_of, shown
 from rotordyn.quantity import Quantity
 from rotordyn.units import KINDS, parse_unit
 
@@ -146,9 +145,10 @@ def parameter(case: Case, path: str, asked: object) -> Parameter:
         raise InvalidInput(f"{path}: a list of values or a Span is needed, got {shown(asked)}")
     if not len(asked):
         raise InvalidInput(f"{path}: the list is empty, at least one value is needed")
-    kind = kind_of_model(case, path)
-    values = tuple(_given(value, kind) for value in asked)
-    accepted = [_taken(case, path, value) for value in values]
+    given = [each.item() if isinstance(each, np.generic) else each for each in asked]
+    accepted = [_taken(case, path, each) for each in given]
+    read = zip(accepted, given, strict=True)  # a model by its name is read once
+    values = tuple(each if is_dataclass(each) else word for (each, _), word in read)
     pairs = zip(accepted, asked, strict=True)
     labels = tuple(_label(each, word, quantity) for (each, quantity), word in pairs)
     plain = all(isinstance(each, str | float | int | np.generic) for each in asked)
@@ -200,12 +200,6 @@ def kind_of_model(case: Case, path: str) -> Any:
     return next((name for kind, name in MODELS.items() if kind in forms), None)
 
 
-def _given(value: Any, kind: Any) -> Any:
-    if isinstance(value, np.generic):
-        value = value.item()
-    return model(kind, value) if kind is not None and isinstance(value, str) else value
-
-
 def _taken(case: Case, path: str, value: object) -> tuple[Any, Quantity | None]:
     """``value`` as the case stores it, and its quantity; rules between fields are not checked."""
     places = found_at(case, path, absent=True)
@@ -214,7 +208,7 @@ def _taken(case: Case, path: str, value: object) -> tuple[Any, Quantity | None]:
         return value, None
     declared = places[0][1]
     try:
-        return accept(declared, value), quantity_of(declared)
+        return value_of(declared, value), quantity_of(declared)
     except Refused as refusal:
         raise InvalidInput(f"{path}{refusal.place}: {refusal.why}") from None
 

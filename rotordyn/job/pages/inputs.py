@@ -19,7 +19,8 @@ from rotordyn.page.blocks import Block, Printed, Table, Text
 from rotordyn.results.display import RPM
 from rotordyn.units import parse_unit
 
-APART = ("name", "title", "references", "note")
+KEPT_BY_FILES = ("own", "sizes", "by_set", "preloads", "override")  # of bearings and sections
+APART = ("name", "title", "references", "note", *KEPT_BY_FILES)
 LONGEST = 110  # of a value in a table
 Row = tuple[str, str, str]
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from rotordyn.case.case import Case
-from rotordyn.case.varied import found_at, usual_unit
+from rotordyn.case.varied import found_at, from_top, usual_unit
 from rotordyn.case.vary import vary
 from rotordyn.description import quantity_of
 from rotordyn.errors import InvalidInput
@@ -179,9 +179,8 @@ def _written(case: Case, path: str, value: float) -> str:
 
 def _short(path: str) -> str:
     """Short name from a path: steps common to most paths are dropped."""
-    steps = [
-        step for step in path.split(".")[1:] if step not in ("sleeves", "bearings", "model", "*")
-    ]
+    _, *within = from_top(path, spindle=True).split(".")
+    steps = [step for step in within if step not in ("sleeves", "bearings", "model", "*")]
     return " ".join(steps).replace("_", " ") or path
 
 

@@ -7,10 +7,19 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+import yaml
 
 import rotordyn
+from bearings.materials import Material
+from rotordyn.analyses.registry import analysis, names
+from rotordyn.analyses.stability_lobes.workpiece import Workpiece
+from rotordyn.case.case import Case
+from rotordyn.case.expand import NAMED
+from rotordyn.case.keys import MODELS, keys_of
 from rotordyn.errors import InvalidInput
+from rotordyn.field import descriptions
 from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.tool import Tool
 
 Override = Callable[..., Spindle]
 CASE = """
@@ -160,6 +169,13 @@ SAME_PATHS = {
     "damping.rotor": "[1 %, 2 %]",
     "shortening.shift.c": "-1 um",
     "points.O1": "50 mm",
+    "bearings.*.model": "vex65",
+    "bearings.a.model": "vex60",
+    "sleeves.front.spring": "{preload: 9 N, stiffness: 8 N/um}",
+    "shaft.material": "bearing_steel",
+    "shaft.sections.nose.material": "tool_steel",
+    "bearings.c.model.ball_material": "bearing_steel",
+    "masses": "[{name: drawbar, x: 200 mm, mass: 1 kg}]",
 }
 
 
@@ -167,15 +183,93 @@ SAME_PATHS = {
 def test_a_path_means_in_a_file_what_it_means_in_python(path: str, overridden: Override) -> None:
     """What a model, or a value given for all, holds besides stays as it was."""
     written = SAME_PATHS[path]
-    listed = [each.strip() for each in written.strip("[]").split(",")]
     plain = overridden("title: x")
-    value: object = listed if written.startswith("[") else written
-    if path.endswith(("density", "young_modulus")):  # a material of Python has no units
-        number, unit = written.split(maxsplit=1)
-        value = float(number) * {"kg/m^3": 1.0, "GPa": 1e9}[unit]
-    varied = rotordyn.vary(plain, {path: value})
+    varied = rotordyn.vary(plain, {path: yaml.safe_load(written)})
     assert overridden("title: x", f"{path}: {written}") == varied
     assert varied != plain
+    wanted = overridden(f"{path}: {written}")
+    for made, meant in zip(varied.seats, wanted.seats, strict=True):
+        assert (made.sizes, made.preloads) == (meant.sizes, meant.preloads)
+
+
+FRF = "{pairs: [{response: tip.y, excitation: tip.y}], frequencies: {from: 100 Hz, to: 900 Hz}}"
+OF_A_CASE = {
+    "speeds": "{from: 0 rpm, to: 9000 rpm, step: 3000 rpm}",
+    "conditions.kinematics": "outer",
+    "conditions.temperatures": "{shaft: 40 degC, housing: 30 degC}",
+    "conditions": "{rotor: rigid}",
+    "analyses.stiffness": "{point: nose_face}",
+    "analyses.campbell.max_frequency": "2 kHz",
+    "analyses": "{preload: , stiffness: {point: nose_face}}",
+    "title": "another",
+    "spindle.title": "another",
+    "spindle": "grinding_spindle",
+    "tool": "hsk63_end_mill_20",
+    "tool.sections.flutes.length": "50 mm",
+    "tool.sections.flutes.material": "tool_steel",
+    "tool.sections.flutes.material.density": "8000 kg/m^3",
+    "uncertain": "as usual",
+    "uncertain.samples": "20",
+    "spindle.sleeves.front.mass": "2 kg",
+    "bearings.d.model": "vex65",
+    "shaft.material": "bearing_steel",
+}
+
+
+@pytest.mark.parametrize("path", OF_A_CASE)
+def test_a_path_of_the_case_is_one_of_an_override(path: str, tmp_path: Path) -> None:
+    """In the case itself and in a variant, as in ``vary``."""
+    machine = "spindle: mfw2310\ntool: hsk63_end_mill_16\nconditions: {friction: 0.1}\n"
+    text = f"{machine}speeds: [0 rpm]\nanalyses: {{campbell: {{max_frequency: 1 kHz}}}}\n"
+    uncertain = "uncertain: {tolerances: {spindle.sleeves.*.spring.preload: ± 5 %}}\n"
+    file, written = tmp_path / "case.yaml", OF_A_CASE[path]
+    changes = {path: yaml.safe_load(written)}
+    file.write_text(text + uncertain, encoding="utf-8")
+    plain = rotordyn.load(file)
+    varied = rotordyn.vary(plain, changes)
+    override = f"override: {{{path}: {written}}}"
+    file.write_text(f"{text}{uncertain}{override}\n", encoding="utf-8")
+    wanted = rotordyn.load(file)
+    assert (varied, varied.tool) == (wanted, wanted.tool)
+    assert (varied, varied.tool) != (plain, plain.tool)
+    if path.partition(".")[0] in ("speeds", "analyses", "uncertain", "title"):
+        return  # those of variants are those of the case
+    file.write_text(f"{text}compare: {{a: {{{override}}}}}\n", encoding="utf-8")
+    variant = rotordyn.load(file).variants["a"]
+    assert (variant.spindle, variant.tool, variant.conditions) == (
+        wanted.spindle,
+        wanted.tool,
+        wanted.conditions,
+    )
+
+
+def test_a_model_by_name_brings_the_sizes_of_its_rings(overridden: Override) -> None:
+    """Fits and growth take them unless they say otherwise."""
+    lines = ["growth: {static: 0 um}", "fits: {shaft: k5, housing: JS5}"]
+    plain = overridden(*lines)
+    model = "bearings.a.model"
+    varied = rotordyn.vary(plain, {model: "vex65"})
+    wanted = overridden(*lines, f"{model}: vex65")
+    assert varied == wanted
+    assert varied.seats[0].sizes == wanted.seats[0].sizes
+    assert varied.seats[0].fits.bore_diameter == pytest.approx(0.065)  # type: ignore[union-attr]
+    fits = {"shaft": "js5"}
+    again = rotordyn.vary(plain, {"bearings.b.fits": fits})
+    assert again == overridden(*lines, "bearings.b.fits: {shaft: js5}")
+
+
+def test_the_order_of_overrides_does_not_matter(overridden: Override) -> None:
+    """As in ``vary``: what is within something, and one item of all, come last."""
+    lines = ["sleeves.front.mass: 1 kg", "sleeves.*.mass: 2 kg", "sleeves.rear.spring.preload: 9 N"]
+    lines.append("sleeves.rear.spring: {preload: 8 N, stiffness: 5 N/um}")
+    assert overridden(*lines) == overridden(*lines[::-1])
+
+
+@pytest.mark.parametrize("path", ["tool.sections.flutes.length", "bearing.balls"])
+def test_a_path_into_what_the_case_has_not_is_refused(path: str, overridden: Override) -> None:
+    part = path.partition(".")[0]
+    with pytest.raises(InvalidInput, match=f"leads into the {part}, and this case has none"):
+        overridden(f"{path}: 9 mm")
 
 
 @pytest.mark.parametrize(
@@ -200,3 +294,16 @@ def test_a_faulty_estimate_is_reported_once(overridden: Override) -> None:
     assert [fault.path for fault in found.value.faults] == [
         "override.bearings.*.model.estimate.preloads.1"
     ]
+
+
+def test_keys_of_models_end_in_the_word_by_which_a_path_opens_them() -> None:
+    kinds, seen = [Case, *(analysis(name).spec for name in names())], set()
+    while kinds:
+        seen.add(kind := kinds.pop())
+        for field in keys_of(kind):
+            inner = {*descriptions(field.annotation)}
+            for model in inner & {Material, Tool, Workpiece}:
+                word = field.keys[-1].rpartition("_")[2] if field.keys else ""
+                assert not field.keys or NAMED[word] == MODELS[model], (kind, field.keys)
+            kinds += inner - seen
+    assert {Spindle, Material, Workpiece, Tool} <= seen

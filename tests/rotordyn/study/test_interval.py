@@ -560,7 +560,8 @@ def test_hertz_gives_the_elasticity_of_a_single_bearing() -> None:
     ("paths", "sentence"),
     [
         (["spindle.sleeves.frnt.spring.preload"], "did you mean front"),
-        (["sleeves.front.spring.preload"], "did you mean spindle.sleeves"),
+        (["sleeves.frnt.spring.preload"], "did you mean front"),
+        (["bearings.a.contact_angle"], r"did you mean model\.contact_angle"),
         (["conditions.kinematics"], "two words"),
         (["conditions.friction"], "infinite"),
         (["conditions.axial_force"], "share of 0"),
