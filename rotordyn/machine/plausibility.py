@@ -26,7 +26,6 @@ GROWING = 1.0e6  # [mm/min] n·dm from which a missing ring growth is reported
 BESIDE = 0.02  # of the width of rings: groove centres lie off their middle
 SLENDER = 100.0  # length over outer diameter of one section
 SOFT = (0.01, 1e3)  # [N/m], [N·m/rad]; springs have 1e5 to 1e8, less is meant as no spring
-SOFTEST = 1e5  # [Pa] of a solid: a tenth of soft rubber
 STRAIGHT = {("x", "x"), ("y", "y"), ("z", "z")}
 LONG = 10.0  # [m] of a shaft
 NEAR = 1e-6  # [m] between a point and an end
@@ -46,7 +45,6 @@ def implausible(spindle: Spindle, top: float) -> Iterator[str]:
     yield from _common_walls(spindle)
     yield from _loose_rings(spindle)
     yield from _soft_springs(spindle)
-    yield from _materials(spindle)
     yield from estimates({seat.name: seat.bearing for seat in spindle.seats})
 
 
@@ -120,18 +118,6 @@ def _soft_springs(spindle: Spindle) -> Iterator[str]:
             yield (
                 f"{what}: a stiffness of {value:.4g} {unit} is far below that of machine parts: "
                 f"check its unit (did you mean {value:.4g} {likely}?)"
-            )
-
-
-def _materials(spindle: Spindle) -> Iterator[str]:
-    """Warn of Young's moduli far below that of any solid, as of a number given in GPa."""
-    used = [section.material for section in spindle.shaft.sections]
-    used += [disc.material for disc in spindle.discs]
-    for name, modulus in {(material.name, material.young_modulus): None for material in used}:
-        if modulus < SOFTEST:
-            yield (
-                f"young_modulus of {name} is {modulus:.6g} Pa: check its unit (did you mean "
-                f"{modulus:.6g} GPa = {modulus * 1e9:.6g} Pa?)"
             )
 
 

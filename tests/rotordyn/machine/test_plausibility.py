@@ -61,15 +61,6 @@ def test_stiffness_given_in_newton_per_micrometre() -> None:
     assert "did you mean 6.2 N/um?" in said
 
 
-def test_youngs_modulus_given_in_gigapascal() -> None:
-    machine = mfw2310()
-    soft = Section(0.1, 0.05, 0.0, Material("steel", 210.0, 0.3, 7800.0), "rear end")
-    shaft = replace(machine.shaft, sections=(*machine.shaft.sections, soft))
-    said = _said(replace(machine, shaft=shaft))
-    assert "young_modulus of steel is 210 Pa" in said
-    assert "did you mean 210 GPa = 2.1e+11 Pa?" in said
-
-
 def test_discs_that_float_or_count_mass_twice() -> None:
     assert "does not touch the shaft" in _said(_disc(bore=2.0))
     assert "mass is counted twice" in _said(_disc(bore=0.0))
