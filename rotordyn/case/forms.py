@@ -36,7 +36,7 @@ from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.tool import Tool
 from rotordyn.quantity import Items, Quantity, Sweep
 from rotordyn.results.display import RPM
-from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.conditions import HYPOTHESES, Conditions
 from rotordyn.scene.spec import Spec
 
 SAME_SPEED = 1e-3  # allowed relative difference of the speeds in a record and in the case
@@ -61,6 +61,13 @@ def material(reading: Reading, annotation: Any, node: Node, others: tuple[type, 
 def tool(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
     """Read a tool, whose name or path is already resolved; it is called as its file."""
     return reading.description(Tool, node, others, name=Path(node.file).stem)
+
+
+def conditions(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
+    """Read conditions, and which hypotheses on the balls they state."""
+    keys = node.value if isinstance(node.value, dict) else {}
+    stated = tuple(key for key in HYPOTHESES if key in keys)
+    return reading.description(Conditions, node, others, stated=stated)
 
 
 def reference(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
@@ -224,6 +231,7 @@ FORMS: dict[type, Any] = {
     Material: material,
     Tool: tool,
     BearingSeat: seat,
+    Conditions: conditions,
     BallBearing: bearing,
     Matrix: matrix,
     Reference: reference,

@@ -18,7 +18,7 @@ from rotordyn.page.blocks import Block, Printed, Table, Text
 from rotordyn.results.display import RPM
 from rotordyn.units import parse_unit
 
-APART = ("name", "title", "references", "note")
+APART = ("name", "title", "references", "note", "stated")
 LONGEST = 110  # of a value in a table
 Row = tuple[str, str, str]
 
