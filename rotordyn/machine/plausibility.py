@@ -6,10 +6,11 @@ Nothing here is refused. Every check reads the description alone.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from itertools import pairwise
 
 from bearings.bearing import BallBearing
+from rotordyn.machine.bearing_set import OPPOSITE
 from rotordyn.machine.housing import Rows
 from rotordyn.machine.implausible_bodies import UNLIKE, implausible_bodies
 from rotordyn.machine.joint import WAYS
@@ -50,21 +51,22 @@ def implausible(spindle: Spindle, top: float) -> Iterator[str]:
 
 def estimates(bearings: Mapping[str, BallBearing]) -> Iterator[str]:
     """Yield sentences on bearings, by name, whose geometry is estimated from a catalogue."""
-    named: dict[str, list[str]] = {}
+    alike: dict[str, list[str]] = {}
     doubted: dict[str, list[str]] = {}
     for name, bearing in bearings.items():
         if bearing.estimated:
-            named.setdefault(bearing.estimated, []).append(name)
+            alike.setdefault(bearing.estimated, []).append(name)
             doubted.setdefault(bearing.doubt, []).append(name)
-    for text, names in named.items():
+    for text, names in alike.items():
         yield (
-            f"{_which(names)}: estimate from catalogue values (nine in ten plausible internal "
+            f"{named(names)}: estimate from catalogue values (nine in ten plausible internal "
             f"geometries): {text}; results that depend on balls and grooves vary as much"
         )
-    yield from (f"{_which(names)}: {text}" for text, names in doubted.items() if text)
+    yield from (f"{named(names)}: {text}" for text, names in doubted.items() if text)
 
 
-def _which(names: list[str]) -> str:
+def named(names: Collection[str]) -> str:
+    """Return bearings by name, as the subject of a sentence: "bearings a, b"."""
     return f"bearing{'s' * (len(names) > 1)} {', '.join(names)}".strip()
 
 
@@ -125,9 +127,9 @@ def _lengths(spindle: Spindle) -> Iterator[str]:
     for section, start in zip(spindle.shaft.sections, spindle.shaft.boundaries, strict=False):
         slender = section.length / section.outer_diameter
         if slender > SLENDER:
-            named = f" ({section.name})" if section.name else ""
+            called = f" ({section.name})" if section.name else ""
             yield (
-                f"section from {start * 1e3:.4g} mm on{named} of the shaft is "
+                f"section from {start * 1e3:.4g} mm on{called} of the shaft is "
                 f"{section.length:.4g} m long, {slender:.0f} times its diameter: check the unit of "
                 "its length"
             )
@@ -149,14 +151,20 @@ def _tip(spindle: Spindle) -> Iterator[str]:
 
 def _bores(spindle: Spindle) -> Iterator[str]:
     """Warn of bearings on a shaft of another diameter, as of a radius given for it."""
+    unlike: dict[str, tuple[float, float]] = {}
     for seat in spindle.seats:
         bore = _size(seat, "bore_diameter")
         under = spindle.shaft.diameters_at(seat.x)[0]
         if bore is not None and not 1.0 / UNLIKE < under / bore < UNLIKE:
-            yield (
-                f"bearing {seat.name}: its bore is {bore * 1e3:.4g} mm, the shaft at its seat "
-                f"{under * 1e3:.4g} mm thick: check the section there, or the station"
-            )
+            unlike[seat.name] = bore, under
+    if unlike:
+        worst = max(unlike, key=lambda name: abs(math.log(unlike[name][1] / unlike[name][0])))
+        bore, under = unlike[worst]
+        of = f" of {worst}" if len(unlike) > 1 else ""
+        yield (
+            f"{named(unlike)}: the bore{of} is {bore * 1e3:.4g} mm, the shaft at its seat "
+            f"{under * 1e3:.4g} mm thick: check the section there, or the station"
+        )
 
 
 def _overlapping(spindle: Spindle) -> Iterator[str]:
@@ -187,8 +195,17 @@ def _arrangement(spindle: Spindle) -> Iterator[str]:
         yield (
             f"bearings {names} are mounted face to face (X): their contact lines meet between "
             "them, so that they restrain tilt with a short base; back to back (O) is usual in "
-            "spindles: reverse the thrust of both"
+            f"spindles: {_reversal(spindle)}"
         )
+
+
+def _reversal(spindle: Spindle) -> str:
+    """Return how bearings face to face become back to back: those of one sleeve stay alike."""
+    given = [seat.name for seat in spindle.seats if not seat.by_set]
+    turn = f"reverse the thrust of all bearings ({', '.join(given)})" if given else ""
+    given_set = spindle.arrangement.set if spindle.arrangement is not None else ""
+    opposite = f"name the set {OPPOSITE[given_set]}" if given_set in OPPOSITE else ""
+    return " and ".join(filter(None, (turn, opposite)))
 
 
 def _low_speed(top: float) -> Iterator[str]:
@@ -201,20 +218,19 @@ def _low_speed(top: float) -> Iterator[str]:
 
 
 def _speed_factors(spindle: Spindle, top: float) -> Iterator[str]:
-    for seat in spindle.seats:
-        factor = top * RPM * seat.bearing.pitch_diameter * 1e3
-        if factor > FASTEST:
-            yield (
-                f"bearing {seat.name}: n·dm {factor / 1e6:.2g} million mm/min at "
-                f"{top * RPM:.0f} rpm is beyond {FASTEST / 1e6:.2g} million, which no grease or "
-                "oil-air lubricated spindle bearing reaches: check speed and diameters"
-            )
+    factors = {s.name: top * RPM * s.bearing.pitch_diameter * 1e3 for s in spindle.seats}
+    if fast := [name for name, factor in factors.items() if factor > FASTEST]:
+        yield (
+            f"{named(fast)}: n·dm {max(factors.values()) / 1e6:.2g} million mm/min at "
+            f"{top * RPM:.0f} rpm is beyond {FASTEST / 1e6:.2g} million, which no grease or "
+            "oil-air lubricated spindle bearing reaches: check speed and diameters"
+        )
     growing = [seat for seat in spindle.seats if _growth_missing(seat, top)]
     if growing:
-        names = ", ".join(seat.name for seat in growing)
+        names = named([seat.name for seat in growing])
         largest = max(_free_growth(seat, top) for seat in growing)
         yield (
-            f"bearings {names}: no centrifugal ring growth is given above n·dm "
+            f"{names}: no centrifugal ring growth is given above n·dm "
             f"{GROWING / 1e6:g} million mm/min, where a free steel ring grows by up to "
             f"{largest * 1e6:.2g} µm on the radius at {top * RPM:.0f} rpm, and contact angles and "
             "preload follow: give growth.centrifugal or a fit"

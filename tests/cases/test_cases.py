@@ -42,7 +42,7 @@ FEWER = "too far apart for the lobes", "too far apart for the resonances"
 WARNED = {  # what the case is there to show
     "preload_concepts": ("are mounted face to face (X)",),
     "grinding_spindle_life": SLIPS,
-    "grinding_spindle_warm": ("the fit of its inner ring loosens",),
+    "grinding_spindle_warm": ("the fits of their inner rings loosen",),
     "mfw2310_lobes": ("period doubling limits", "too far apart for the resonances"),
     "mfw2310_thin_wall": ("period doubling limits", "too far apart for the resonances"),
     "mfw2310_uneven_teeth": ("period doubling limits",),

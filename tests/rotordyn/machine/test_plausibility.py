@@ -7,8 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+import rotordyn
 from bearings.materials import Material
-from rotordyn.errors import NoSolution
+from rotordyn.errors import InvalidInput, NoSolution
+from rotordyn.machine.bearing_set import OPPOSITE, patterns
 from rotordyn.machine.flexible_rings import RingBodies
 from rotordyn.machine.growth import RingGrowth
 from rotordyn.machine.lumped import Disc, PointMass
@@ -134,7 +136,43 @@ def test_face_to_face_is_named_only_where_no_pair_is_back_to_back() -> None:
     assert any(word == "O" for *_, word in machine.pairings)
     turned = tuple(replace(seat, thrust=-seat.thrust) for seat in machine.seats)
     faced = replace(machine, seats=turned)
-    assert "face to face (X)" in _said(faced)
+    said = _said(faced)
+    assert "face to face (X)" in said
+    assert "spindles: reverse the thrust of all bearings (a, b, c, d, e)" in said
+    assert "face to face" not in _said(replace(faced, seats=machine.seats))
+    grinding = rotordyn.load("grinding_spindle").spindle  # c and d on one sleeve
+    assert grinding is not None
+    faced = tuple(replace(seat, thrust=-seat.thrust) for seat in grinding.seats)
+    assert "bearings b and c are mounted face to face" in _said(replace(grinding, seats=faced))
+    both = tuple(replace(s, thrust=-s.thrust) if s.name in ("b", "c") else s for s in faced)
+    with pytest.raises(InvalidInput, match="one sleeve must all have the same thrust"):
+        replace(grinding, seats=both)
+
+
+@pytest.mark.parametrize("thrusts", [None, (-1, 1)])
+def test_a_set_face_to_face_becomes_back_to_back_by_its_name(
+    thrusts: tuple[int, int] | None,
+) -> None:
+    machine = rotordyn.load("preload_concepts").variants["face_to_face"].spindle
+    assert machine is not None
+    assert machine.arrangement is not None
+    if thrusts is not None:
+        seats = zip(machine.seats, thrusts, strict=True)
+        turned = tuple(replace(seat, thrust=sign, by_set=False) for seat, sign in seats)
+        machine = replace(machine, seats=turned)
+    remedy = "name the set DB"
+    if thrusts is not None:
+        remedy = f"reverse the thrust of all bearings (front, rear) and {remedy}"
+    assert f"usual in spindles: {remedy}" in _said(machine)
+    seats = tuple(replace(seat, thrust=-seat.thrust) for seat in machine.seats)
+    named = replace(machine.arrangement, set="DB")
+    assert "face to face" not in _said(replace(machine, seats=seats, arrangement=named))
+
+
+def test_opposite_sets_have_every_thrust_reversed() -> None:
+    swapped = str.maketrans("+-", "-+")
+    for one, other in OPPOSITE.items():
+        assert {signs.translate(swapped) for signs in patterns(one)} == {*patterns(other)}
 
 
 def test_speed_beyond_any_lubrication() -> None:
@@ -183,7 +221,7 @@ def test_a_bearing_on_a_shaft_of_another_diameter(share: float, said: bool) -> N
     bore = machine.shaft.diameters_at(first.x)[0] / share
     seats = (replace(first, sizes={"bore_diameter": bore}), *machine.seats[1:])
     words = _said(replace(machine, seats=seats))
-    assert (f"bearing {first.name}: its bore is {bore * 1e3:.4g} mm" in words) == said
+    assert (f"bearing {first.name}: the bore is {bore * 1e3:.4g} mm" in words) == said
 
 
 @pytest.mark.parametrize(("rpm", "said"), [(0.0, False), (12.0, True), (1500.0, False)])
