@@ -29,6 +29,10 @@ SLENDER = 100.0  # length over outer diameter of one section
 SOFT = (0.01, 1e3)  # [N/m], [N·m/rad]; springs have 1e5 to 1e8, less is meant as no spring
 STRAIGHT = {("x", "x"), ("y", "y"), ("z", "z")}
 LONG = 10.0  # [m] of a shaft
+SHORT = 1e-5  # [m] of a section: less than any shoulder or chamfer has
+AT_RIM = 400.0  # [m/s]; a thin steel ring has 1.3 GPa there, rims of grinding wheels reach 250 m/s
+LOOSE = 5e3  # [N/m²] of Z·D²: a twentieth of the light preloads of makers
+HEAVY = 0.2  # damping ratio of a shaft; measured ones are below a few hundredths
 NEAR = 1e-6  # [m] between a point and an end
 
 
@@ -41,11 +45,14 @@ def implausible(spindle: Spindle, top: float) -> Iterator[str]:
     yield from _overlapping(spindle)
     yield from _arrangement(spindle)
     yield from _low_speed(top)
+    yield from _surface_speed(spindle, top)
     yield from _speed_factors(spindle, top)
     yield from _thin_walls(spindle)
     yield from _common_walls(spindle)
     yield from _loose_rings(spindle)
     yield from _soft_springs(spindle)
+    yield from _small_preloads(spindle)
+    yield from _damping_ratios(spindle)
     yield from estimates({seat.name: seat.bearing for seat in spindle.seats})
 
 
@@ -123,11 +130,60 @@ def _soft_springs(spindle: Spindle) -> Iterator[str]:
             )
 
 
+def _small_preloads(spindle: Spindle) -> Iterator[str]:
+    """Warn of springs far below the light preload class of their bearings, as of kN in N."""
+    for sleeve in spindle.sleeves:
+        bearings = [seat.bearing for seat in spindle.seats if seat.name in sleeve.bearings]
+        least = LOOSE * sum(each.balls * each.ball_diameter**2 for each in bearings)
+        force = sleeve.spring.preload
+        if 0.0 < force < least:
+            yield (
+                f"spring of sleeve {sleeve.name}: a preload of {force:.4g} N is far below the "
+                f"light class of its bearings, some {20.0 * least:.2g} N: check its unit (did you "
+                f"mean {force:.4g} kN?)"
+            )
+
+
+def _damping_ratios(spindle: Spindle) -> Iterator[str]:
+    """Warn of modal damping far above that of any shaft, as of percents given as a number."""
+    largest = max(
+        (ratio for each in (spindle, *spindle.rotors) for ratio in each.rotor_damping), default=0.0
+    )
+    if largest > HEAVY:
+        yield (
+            f"damping.rotor: a damping ratio of {100.0 * largest:.4g} % is far above the few per "
+            f"cent of shafts: check its unit (did you mean {largest:.4g} %?)"
+        )
+
+
+def _surface_speed(spindle: Spindle, top: float) -> Iterator[str]:
+    """Warn of speeds at which no rotor of this diameter holds, as of rad/s instead of rpm."""
+    widest = max(
+        [section.outer_diameter for section in spindle.shaft.sections]
+        + [section.rear_outer_diameter or 0.0 for section in spindle.shaft.sections]
+        + [disc.outer_diameter for disc in spindle.discs]
+    )
+    rim = 0.5 * top * widest
+    if rim > AT_RIM:
+        meant = f" (did you mean {top:.6g} rpm?)" if rim / RPM < AT_RIM else ""
+        yield (
+            f"the highest speed is {top * RPM:.6g} rpm, at which the largest diameter, "
+            f"{widest * 1e3:.4g} mm, has a surface speed of {rim:.0f} m/s, above {AT_RIM:g} m/s, "
+            f"which hardly any steel rotor withstands: check speed and diameters{meant}"
+        )
+
+
 def _lengths(spindle: Spindle) -> Iterator[str]:
     for section, start in zip(spindle.shaft.sections, spindle.shaft.boundaries, strict=False):
         slender = section.length / section.outer_diameter
+        called = f" ({section.name})" if section.name else ""
+        if section.length < SHORT:
+            yield (
+                f"section from {start * 1e3:.4g} mm on{called} of the shaft is "
+                f"{section.length * 1e6:.4g} µm long, less than any shoulder: check the unit of "
+                f"its length (did you mean {section.length * 1e6:.4g} mm?)"
+            )
         if slender > SLENDER:
-            called = f" ({section.name})" if section.name else ""
             yield (
                 f"section from {start * 1e3:.4g} mm on{called} of the shaft is "
                 f"{section.length:.4g} m long, {slender:.0f} times its diameter: check the unit of "

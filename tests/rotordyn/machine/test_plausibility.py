@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import rotordyn
 from bearings.materials import Material
+from rotordyn.case.model import model
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.machine.bearing_set import OPPOSITE, patterns
 from rotordyn.machine.flexible_rings import RingBodies
 from rotordyn.machine.growth import RingGrowth
 from rotordyn.machine.lumped import Disc, PointMass
-from rotordyn.machine.plausibility import implausible, undamped, unopposed
+from rotordyn.machine.plausibility import LOOSE, implausible, undamped, unopposed
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.scene.conditions import Conditions
@@ -61,6 +63,73 @@ def test_stiffness_given_in_newton_per_micrometre() -> None:
     said = _said(replace(machine, sleeves=(soft, rear)))
     assert "spring of sleeve front: a stiffness of 6.2 N/m" in said
     assert "did you mean 6.2 N/um?" in said
+
+
+@pytest.mark.parametrize(("speed", "meant"), [(24000.0, True), (17000.0, True), (15000.0, False)])
+def test_a_speed_in_radians_without_rolling_bearings(speed: float, meant: bool) -> None:
+    """A shaft of 50 mm has 400 m/s at its surface at 16 000 rad/s, a disc on it more."""
+    shaft = Shaft(0.0, (Section(0.5, 0.05, 0.0, STEEL),))
+    rotor = Spindle("rotor", shaft)
+    said = _said(rotor, speed)
+    assert (f"surface speed of {0.025 * speed:.0f} m/s" in said) == meant
+    assert (f"(did you mean {speed:g} rpm?)" in said) == meant
+    wheel = replace(rotor, discs=(Disc("wheel", 0.25, 0.5, 0.05, 0.04, STEEL),))
+    assert f"500 mm, has a surface speed of {0.25 * speed:.0f} m/s" in _said(wheel, speed)
+    assert "surface speed" not in _said(wheel, 1500.0)
+
+
+@pytest.mark.parametrize(
+    ("x", "width", "said"),
+    [
+        (0.25, 0.04, ""),
+        (0.5, 0.04, ""),
+        (0.25, 0.6, "disc d, 600 mm wide at 250 mm, reaches 50 mm beyond an end of the shaft"),
+        (0.49, 0.4, ""),
+        (0.0, 0.04, ""),
+    ],
+)
+def test_a_disc_wider_than_its_shaft(x: float, width: float, said: str) -> None:
+    """An overhung disc on the end of a shaft reaches half its width beyond it."""
+    shaft = Shaft(0.0, (Section(0.5, 0.05, 0.0, STEEL),))
+    rotor = Spindle("rotor", shaft, discs=(Disc("d", x, 0.2, 0.05, width, STEEL),))
+    assert said in _said(rotor)
+    assert ("beyond an end" in _said(rotor)) == bool(said)
+
+
+def test_a_section_of_micrometres() -> None:
+    machine = mfw2310()
+    for length, words in ((1e-6, "1 µm long, less than any shoulder"), (5e-5, "")):
+        thin = Section(length, 0.05, 0.0, STEEL, "rear end")
+        shaft = replace(machine.shaft, sections=(*machine.shaft.sections, thin))
+        said = _said(replace(machine, shaft=shaft))
+        assert words in said
+        assert ("shoulder" in said) == bool(words)
+
+
+def test_a_preload_in_newton_instead_of_kilonewton() -> None:
+    machine = mfw2310()
+    front, rear = machine.sleeves
+    for force, words in ((1.2, "a preload of 1.2 N is far below the light class"), (60.0, "")):
+        weak = replace(front, spring=replace(front.spring, preload=force))
+        said = _said(replace(machine, sleeves=(weak, rear)))
+        assert words in said
+        assert ("(did you mean 1.2 kN?)" in said) == bool(words)
+
+
+def test_the_light_class_is_that_of_makers() -> None:
+    """Of the bearings whose catalogue prints preload classes."""
+    for name in ("kh6014e", "s6012e", "vex70"):
+        bearing = model("bearings", name)
+        path = Path(rotordyn.__file__).parents[1] / f"models/bearings/{name}.yaml"
+        printed = float(path.read_text(encoding="utf-8").partition("preloads: [")[2].split()[0])
+        per_area = printed / (bearing.balls * bearing.ball_diameter**2)
+        assert 15.0 * LOOSE < per_area < 30.0 * LOOSE
+
+
+def test_damping_ratios_of_shafts_are_small() -> None:
+    machine = mfw2310()
+    assert "damping ratio of 50 % is far above" in _said(replace(machine, rotor_damping=(0.5,)))
+    assert "damping ratio" not in _said(replace(machine, rotor_damping=(0.05, 0.1)))
 
 
 def test_discs_that_float_or_count_mass_twice() -> None:
