@@ -146,9 +146,8 @@ def _small_preloads(spindle: Spindle) -> Iterator[str]:
 
 def _damping_ratios(spindle: Spindle) -> Iterator[str]:
     """Warn of modal damping far above that of any shaft, as of percents given as a number."""
-    largest = max(
-        (ratio for each in (spindle, *spindle.rotors) for ratio in each.rotor_damping), default=0.0
-    )
+    ratios = [*spindle.rotor_damping, *(r for rotor in spindle.rotors for r in rotor.rotor_damping)]
+    largest = max(ratios, default=0.0)
     if largest > HEAVY:
         yield (
             f"damping.rotor: a damping ratio of {100.0 * largest:.4g} % is far above the few per "
