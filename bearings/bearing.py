@@ -30,7 +30,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import KW_ONLY, MISSING, dataclass, field, fields
+from dataclasses import KW_ONLY, dataclass, fields
 from itertools import chain
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -40,6 +40,7 @@ from bearings.flexible_rings.describe import FlexibleRings
 from bearings.flexible_rings.outline import outline
 from bearings.grooves import STEEP, WIDEST, Grooves
 from bearings.materials import STEEL, Material
+from bearings.measure import Measure, measured, refusals
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -47,73 +48,11 @@ if TYPE_CHECKING:
     from bearings.ring.state import BearingState
 
 
-@dataclass(frozen=True, slots=True)
-class Measure:
-    """Values a field accepts: ``quantity`` ("length", "angle", "number", "count" or "material").
-
-    ``low`` and ``high`` [SI] bound it, ``open_low``: the lower bound itself is excluded; ``unit``:
-    in which drawings give it; ``meaning``: a phrase for documents and editors.
-    """
-
-    quantity: str
-    meaning: str
-    low: float = -math.inf
-    high: float = math.inf
-    open_low: bool = False
-    unit: str = ""
-
-    def refusal(self, name: str, value: object) -> str:
-        """Return why a field rejects a value; empty where it accepts it."""
-        if self.quantity == "material":
-            accepted = isinstance(value, Material)
-            return "" if accepted else f"{name} must be a bearings.Material, got {shown(value)}"
-        if not finite(value):
-            return f"{name} must be a finite number, got {shown(value)}"
-        number = float(value)
-        if self.quantity == "count" and number != int(number):
-            return f"{name} must be a whole number from {self.low:g} up, got {shown(value)}"
-        above = number > self.low if self.open_low else number >= self.low
-        if above and number <= self.high:
-            return ""
-        low = "above" if self.open_low else "from"
-        doubt = ": is the unit right?" if self.unit else ""
-        return (
-            f"{name} must lie {low} {self._shown(self.low)} up to {self._shown(self.high)}, got "
-            f"{self._shown(number)}{doubt}"
-        )
-
-    def _shown(self, value: float) -> str:
-        if self.quantity == "angle":
-            return f"{math.degrees(value):g}° (in rad)"
-        return f"{value:g} m" if self.quantity == "length" else f"{value:g}"
-
-    def drawn(self, value: float) -> str:
-        """Format a value in the unit of drawings."""
-        scale, unit = {"deg": (math.pi / 180.0, "°"), "um": (1e-6, " µm"), "mm": (1e-3, " mm")}[
-            self.unit
-        ]
-        return f"{value / scale:.4g}{unit}"
-
-
-def measured(measure: Measure, default: Any = MISSING) -> Any:
-    """Declare a dataclass field whose values ``measure`` bounds."""
-    return field(default=default, metadata={"measure": measure})
-
-
-def refusals(description: Any) -> Iterator[str]:
-    """Yield why fields of a dataclass reject their values; a default of None is one."""
-    for item in fields(description):
-        value, measure = getattr(description, item.name), item.metadata.get("measure")
-        absent = value is None and item.default is None
-        if measure is not None and not absent and (why := measure.refusal(item.name, value)):
-            yield why
-
-
 BALL_DIAMETER = Measure("length", "diameter of a ball", 1e-4, 0.2, unit="mm")
 PITCH_DIAMETER = Measure("length", "diameter of the circle of ball centres", 1e-3, 10.0, unit="mm")
 BALLS = Measure("count", "number of balls", 3, 500)
 CONFORMITY = Measure("number", "groove radius over ball diameter", 0.5, 0.7, open_low=True)
-MATERIAL = Measure("material", "material, with its thermal expansion")
+MATERIAL = Measure("material", "material, with its thermal expansion", kind=Material)
 THINNEST = 0.1  # wall of a ring over the diameter of the ball
 SHOULDER = Measure("length", "diameter at which the groove of the ring ends", 1e-3, 10.0, unit="mm")
 

@@ -3,13 +3,21 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NoReturn
 
-from bearings.arguments import finite
-from bearings.errors import InvalidBearing, shown
+from bearings.errors import InvalidBearing
+from bearings.measure import Measure, measured, refusals
 
-RANGES = {"young_modulus": (1.0, 1e20), "density": (1e-12, 1e12)}  # [Pa], [kg/m³]
-LARGEST_EXPANSION = 1e-3  # [1/K], either way
+NAME = Measure("text", "name as printed", kind=str)
+YOUNG_MODULUS = Measure("pressure", "E", 1e9, 2e12, unit="GPa")
+POISSON_RATIO = Measure("number", "ν", -1.0, 0.5, open_low=True, open_high=True)
+DENSITY = Measure("density", "ρ", 100.0, 30000.0, unit="kg/m^3")
+EXPANSION = Measure(
+    "thermal expansion",
+    "linear, α; by default that of steel, 1.15e-5 1/K",
+    -1e-4,
+    1e-3,
+    unit="1/K",
+)
 OF_STEEL = 11.5e-6  # [1/K], thermal expansion of bearing steel
 
 
@@ -20,42 +28,25 @@ class Material:
     Parameters
     ----------
     name : shown in tables
-    young_modulus : E [Pa], from 1 to 1e20
+    young_modulus : E [Pa], from 1 to 2000 GPa
     poisson_ratio : ν, above -1 and below 0.5
-    density : ρ [kg/m³], from 1e-12 to 1e12
-    thermal_expansion : linear, α [1/K]; None where it is not known
+    density : ρ [kg/m³], from 100 to 30 000
+    thermal_expansion : linear, α [1/K], from -1e-4 to 1e-3; None where it is not known
 
     Raises
     ------
     InvalidBearing : a value is not finite or out of its range
     """
 
-    name: str
-    young_modulus: float
-    poisson_ratio: float
-    density: float
-    thermal_expansion: float | None = None
+    name: str = measured(NAME)
+    young_modulus: float = measured(YOUNG_MODULUS)
+    poisson_ratio: float = measured(POISSON_RATIO)
+    density: float = measured(DENSITY)
+    thermal_expansion: float | None = measured(EXPANSION, None)
 
     def __post_init__(self) -> None:
-        for key in ("young_modulus", "density", "poisson_ratio", "thermal_expansion"):
-            unknown = key == "thermal_expansion" and self.thermal_expansion is None
-            if not (unknown or finite(getattr(self, key))):
-                self._refuse(key, "be a number")
-        for key, (low, high) in RANGES.items():
-            value = getattr(self, key)
-            if value <= 0.0:
-                self._refuse(key, "be positive")
-            if not low <= value <= high:
-                self._refuse(key, f"lie between {low:g} and {high:g}")
-        if not -1.0 < self.poisson_ratio < 0.5:
-            self._refuse("poisson_ratio", "lie between -1 and 0.5")
-        if abs(self.expansion) > LARGEST_EXPANSION:
-            self._refuse("thermal_expansion", f"lie within ±{LARGEST_EXPANSION:g}")
-
-    def _refuse(self, key: str, rule: str) -> NoReturn:
-        raise InvalidBearing(
-            f"material {str(self.name)[:60]}: {key} must {rule}, got {shown(getattr(self, key))}"
-        )
+        for why in refusals(self):
+            raise InvalidBearing(f"material {str(self.name)[:60]}: {why}")
 
     @property
     def expansion(self) -> float:

@@ -1,4 +1,4 @@
-"""Limits of the fields of bearings (``bearings.bearing.Measure``), with units."""
+"""Limits of the fields of bearings and materials (``bearings.measure.Measure``), with units."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import math
 from dataclasses import fields
 from typing import Annotated, Any
 
-from bearings.bearing import Measure
+from bearings.measure import Measure
 from rotordyn.quantity import HIDDEN, Quantity, Whole
 from rotordyn.units import parse_unit
 
@@ -16,9 +16,9 @@ def limits(measure: Measure) -> Quantity | Whole:
     if measure.quantity == "count":
         return Whole(int(measure.low), int(measure.high))
     low, high = (_written(bound, measure.unit) for bound in (measure.low, measure.high))
-    if measure.open_low:
-        return Quantity(measure.quantity, above=low, at_most=high)
-    return Quantity(measure.quantity, at_least=low, at_most=high)
+    bounds = {"above" if measure.open_low else "at_least": low}
+    bounds["below" if measure.open_high else "at_most"] = high
+    return Quantity(measure.quantity, **bounds)
 
 
 def measured_fields(kind: Any) -> dict[str, Any]:
@@ -32,12 +32,12 @@ def measured_fields(kind: Any) -> dict[str, Any]:
     return (hidden if some else {}) | {
         name: _annotation(measure, optional=optional)
         for name, (measure, optional) in declared.items()
-        if measure is not None and measure.quantity != "material"
+        if measure is not None and measure.kind is None
     }
 
 
 def meaning_of(field: Any) -> str:
-    """Meaning that a field of a bearing declares; empty if none."""
+    """Meaning that a field declares by its measure; empty if none."""
     measure = field.metadata.get("measure")
     return "" if measure is None else measure.meaning
 

@@ -91,7 +91,8 @@ class Quantity(Limit):
             return ""
         allowed = (self.allowed or "a finite number") + self.instead
         if given:
-            return f"{self.kind} out of range: given {given}; allowed: {allowed}"
+            likely = self._likely_unit(value, given)
+            return f"{self.kind} out of range: given {given}; allowed: {allowed}{likely}"
         words = f"{allowed}, or infinite" if self.infinite else allowed
         return (
             f"{self.kind} out of range: given {self.written(value)}; allowed: {words}"
@@ -104,6 +105,17 @@ class Quantity(Limit):
             scaled = value * units.parse_unit(unit).scale
             if scaled != value and math.isfinite(scaled) and self.holds(scaled):
                 return f" (did you mean {value:.6g} {unit} = {self.written(scaled)}?)"
+        return ""
+
+    def _likely_unit(self, value: float, given: str) -> str:
+        """Question whether the number ``given`` with one unit was meant in another one."""
+        unit = units.unit_of(given.strip("'"))
+        number = units.in_unit(value, unit)
+        for other in units.KINDS[self.kind]:
+            meant = number * units.parse_unit(other).scale
+            if other != unit and not math.isclose(meant, value) and self.holds(meant):
+                words = f"{number:.6g} {other}".strip()
+                return f" (did you mean {words}?)"
         return ""
 
     def written(self, value: float) -> str:

@@ -74,7 +74,7 @@ _POWERS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 KINDS: dict[str, tuple[str, ...]] = {
     "number": ("",),
     "ratio": ("%", ""),
-    "length": ("m", "mm", "um"),
+    "length": ("m", "mm", "um", "in"),
     "angle": ("deg", "rad"),
     "speed": ("rpm", "rad/s", "1/min"),
     "frequency": ("Hz", "kHz"),

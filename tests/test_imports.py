@@ -89,6 +89,13 @@ def test_a_check_of_the_flagship_loads_no_numpy(tmp_path: Path) -> None:
     assert "numpy" not in packages(modules)
 
 
+def test_a_check_of_estimated_bearings_loads_no_scipy(tmp_path: Path) -> None:
+    """Loading it took more than half of the time of that check."""
+    loaded = modules_after(COMMAND_LINE, tmp_path, "check", "cases/grinding_spindle_catalogue.yaml")
+    assert "numpy" in packages(loaded)
+    assert not packages(loaded) & SCIENCE
+
+
 def test_linear_supports_without_figures_load_no_bearing_solver_and_nothing_that_draws(
     tmp_path: Path,
 ) -> None:

@@ -30,6 +30,8 @@ _SPARSE = 0.69  # share of the pitch circle that balls usually exceed
 _WHOLE_NEWTON = 0.29  # [N], standard deviation by rounding to whole newtons
 _REFINED = 4  # combinations of ball diameter and number whose grooves are refined
 _STEP = 0.005  # largest change of a conformity by refining
+_FINEST, _GRID = 1e-7, 7  # the same, of the last grid of the search; its points in a direction
+_SEARCHES = 100  # at most
 _PHRASES = (
     ("balls", "{:.0f} balls ({:.0f}–{:.0f})", 1.0),
     ("ball_diameter", "D {:.4g} mm ({:.4g}–{:.4g})", 1e3),
@@ -288,32 +290,45 @@ def _deviation(value: Value) -> float:
 
 def _refined(x: Insides, likely: Array, catalogue: Catalogue) -> Insides:
     """Return the likeliest internal geometry, its conformities refined between grid points."""
-    from scipy.optimize import minimize
-
     free = [name for name in FIELDS[3:] if getattr(catalogue, name) is None]
     section = catalogue.outside_diameter - catalogue.bore
     order = np.argsort(-likely)
-    balls = np.stack([x.ball_diameter[order], x.balls[order]])
-    _, first = np.unique(balls, axis=1, return_index=True)
+    balls = x.balls[order] + 1j * x.ball_diameter[order]  # sorted faster than rows of two numbers
+    _, first = np.unique(balls, return_index=True)
     starts = [x.at(order[k]) for k in sorted(first)[:_REFINED]]
     if not free:
         return starts[0]
 
-    def at(start: Insides, values: Any) -> Insides:
-        return start._replace(**dict(zip(free, values, strict=True)))
-
-    def cost(values: Array, start: Insides) -> float:
-        trial = at(start, values)
+    def cost(trial: Insides) -> Array:
         apart = _apart(_computed(trial, catalogue), catalogue)
-        return float(0.5 * (apart**2).sum() - usual(trial, section))
+        return np.asarray(0.5 * (apart**2).sum(axis=0) - usual(trial, section))
 
-    fitted = []
-    for start in starts:
-        initial = [float(getattr(start, name)) for name in free]
-        limits = [(max(f - _STEP, TIGHTEST), f + _STEP) for f in initial]
-        minimum = minimize(cost, initial, args=(start,), bounds=limits, method="L-BFGS-B")
-        fitted.append((float(minimum.fun), at(start, minimum.x)))
-    return min(fitted, key=lambda pair: pair[0])[1]
+    # A pattern search, of all starts at once: scipy takes longer to load than this. A grid moves to
+    # its best point, and becomes finer where that is not on its edge.
+    centre = np.array([[getattr(start, name) for name in free] for start in starts])
+    low, high = np.maximum(centre - _STEP, TIGHTEST)[:, None], (centre + _STEP)[:, None]
+    axes = np.meshgrid(*[np.linspace(-1.0, 1.0, _GRID)] * len(free))
+    steps = np.stack(axes, axis=-1).reshape(-1, len(free))
+    half, each, costs = np.full(len(starts), _STEP), np.arange(len(starts)), np.empty(0)
+    for _ in range(_SEARCHES):
+        points = np.clip(centre[:, None] + half[:, None, None] * steps, low, high)
+        columns = dict(zip(free, points.reshape(-1, len(free)).T, strict=True))
+        found = cost(_repeated(starts, len(steps), columns)).reshape(len(starts), -1)
+        best = found.argmin(axis=1)
+        moved, centre, costs = centre, points[each, best], found[each, best]
+        inside = (np.abs(centre - moved) < 0.99 * half[:, None]).all(axis=1)
+        half = np.where(inside, 0.5 * half, half)
+        if half.max() < _FINEST:
+            break
+    k = int(costs.argmin())
+    return starts[k]._replace(**dict(zip(free, centre[k].tolist(), strict=True)))
+
+
+def _repeated(starts: Sequence[Insides], times: int, values: Mapping[str, Array]) -> Insides:
+    """Every start ``times`` over, with other ``values`` (starts · times,) of some fields."""
+    rows = {name: np.repeat([getattr(s, name) for s in starts], times) for name in FIELDS}
+    fields: dict[str, Any] = {**rows, **values}
+    return Insides(**fields, contact_angle=starts[0].contact_angle)
 
 
 def _range(values: Array, share: Array, estimate: Any) -> tuple[float, float]:

@@ -15,13 +15,11 @@ from bearings.bearing import (
     CONFORMITY,
     MATERIAL,
     PITCH_DIAMETER,
-    Measure,
-    measured,
-    refusals,
 )
 from bearings.errors import InvalidBearing
 from bearings.kinds.angular_contact import CONTACT_ANGLE
 from bearings.materials import SILICON_NITRIDE, STEEL, Material
+from bearings.measure import Measure, measured, refusals
 
 BORE = Measure("length", "of the inner ring", 1e-3, 5.0, unit="mm")
 OUTSIDE = Measure("length", "of the outer ring", 2e-3, 5.0, unit="mm")

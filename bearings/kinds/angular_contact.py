@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from bearings.bearing import MATERIAL, BallBearing, Measure, measured
+from bearings.bearing import MATERIAL, BallBearing
 from bearings.grooves import Grooves
 from bearings.materials import SILICON_NITRIDE, Material
+from bearings.measure import Measure, measured
 
 CONTACT_ANGLE = Measure("angle", "free contact angle", 0.0, math.radians(60.0), unit="deg")
 

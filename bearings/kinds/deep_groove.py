@@ -7,8 +7,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import ClassVar
 
-from bearings.bearing import BallBearing, Measure, measured
+from bearings.bearing import BallBearing
 from bearings.grooves import Grooves
+from bearings.measure import Measure, measured
 
 CONTACT_ANGLE = Measure(
     "angle", "free contact angle under thrust", 0.0, math.radians(45.0), unit="deg"

@@ -11,9 +11,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
-from bearings.bearing import BallBearing, Measure, measured
+from bearings.bearing import BallBearing
 from bearings.errors import InvalidBearing
 from bearings.grooves import Grooves
+from bearings.measure import Measure, measured
 
 CONTACT_ANGLE = Measure(
     "angle", "free contact angle under thrust", 0.0, math.radians(60.0), unit="deg"

@@ -6,8 +6,9 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from bearings.bearing import CONFORMITY, BallBearing, measured
+from bearings.bearing import CONFORMITY, BallBearing
 from bearings.grooves import Grooves
+from bearings.measure import measured
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

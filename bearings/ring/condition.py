@@ -87,7 +87,8 @@ def condition(state: BearingState) -> Words:
 
 
 def endings(operation: Operation, index: Index) -> list[str]:
-    """Describe, for each point without equilibrium, the highest speed with one and what ends it."""
+    """Describe, for each point without equilibrium, the highest speed with one and the cause of its
+    loss."""
     gaps = first_gaps(operation, index)
     last = solved(operation.repeated(index, np.array([gap.low for gap in gaps])))
     load = np.minimum(last.inner_load, last.outer_load)
@@ -117,7 +118,8 @@ def first_gaps(operation: Operation, index: Index) -> list[Gap]:
 
 
 def _ending(operation: Operation, gap: Gap, thrown: Flags) -> str:
-    """Describe what ends the states at a gap of speed, and where there are states again."""
+    """Describe the cause of the loss of equilibrium at a gap of speed, and where states exist
+    again."""
     free = operation.free
     given = GIVEN[int(free.sum() > 0) + free.all()]
     where = f"above {gap.low / RPM:.0f} rpm at this {given}"

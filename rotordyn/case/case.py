@@ -123,7 +123,7 @@ class Case(Description):
     def _changed(self) -> list[str]:
         """Names of the conditions that are not the defaults."""
         given, usual = self.conditions, Conditions()
-        names = (each.name for each in fields(usual))
+        names = (each.name for each in fields(usual) if each.compare)
         return [name for name in names if getattr(given, name) != getattr(usual, name)]
 
     @property
@@ -161,7 +161,7 @@ class Case(Description):
             if not isinstance(spec, wanted):
                 given = type(spec).__name__
                 yield ("analyses", name), f"needs a {wanted.__name__}: given a {given}"
-        known = [each.name for each in fields(Conditions)]
+        known = [each.name for each in fields(Conditions) if each.compare]
         for index, reference in enumerate(self.references):
             for name in reference.conditions:
                 for sentence in unknown("condition", name, known):

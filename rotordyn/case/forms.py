@@ -46,7 +46,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.tool import Tool
 from rotordyn.quantity import Items, Quantity, Sweep
 from rotordyn.results.display import RPM
-from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.conditions import HYPOTHESES, Conditions
 from rotordyn.scene.spec import Spec
 
 SAME_SPEED = 1e-3  # allowed relative difference of the speeds in a record and in the case
@@ -86,6 +86,13 @@ def spindle(reading: Reading, annotation: Any, node: Node, others: tuple[type, .
     """Read a spindle without a tool."""
     tree = expand.spindle(node, {}, reading.files)
     return unknown(annotation) if tree is None else read_spindle(reading, tree, None)[0]
+
+
+def conditions(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
+    """Read conditions, and which hypotheses on the balls they state."""
+    keys = node.value if isinstance(node.value, dict) else {}
+    stated = tuple(key for key in HYPOTHESES if key in keys)
+    return reading.description(Conditions, node, others, stated=stated)
 
 
 def reference(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
@@ -278,6 +285,7 @@ FORMS: dict[type, Any] = {
     Workpiece: workpiece,
     Spindle: spindle,
     BearingSeat: seat,
+    Conditions: conditions,
     BallBearing: bearing,
     Matrix: matrix,
     Reference: reference,

@@ -45,7 +45,6 @@ from rotordyn.quantity import (
     Name,
     Quantity,
     Station,
-    ThermalExpansion,
     TopSpeed,
     Whole,
 )
@@ -264,21 +263,6 @@ class _Bearing:
 
 
 @dataclass
-class _Elastic:
-    """The fields of a material, which ``bearings`` keeps without units."""
-
-    name: Annotated[str, "name as printed"]
-    young_modulus: Annotated[float, Quantity("pressure", at_least="1 GPa", at_most="2000 GPa"), "E"]
-    poisson_ratio: Annotated[float, Quantity("number", above="-1", below="0.5"), "ν"]
-    density: Annotated[
-        float, Quantity("density", at_least="100 kg/m^3", at_most="30000 kg/m^3"), "ρ"
-    ]
-    thermal_expansion: Annotated[
-        ThermalExpansion | None, "linear, α; by default that of steel, 1.15e-5 1/K"
-    ] = None
-
-
-@dataclass
 class _Material:
     source: Source = ""
     note: Note = ""
@@ -363,15 +347,13 @@ COMMON: dict[type, tuple[Common, ...]] = {
 }
 
 
-def fields_of(kind: Any) -> tuple[Field, ...]:
-    """All fields of a description; those of a material with their quantities."""
-    return declared(_Elastic if kind is Material else kind)
+fields_of = declared  # for vary and varied
 
 
 @cache
 def keys_of(kind: Any) -> tuple[Field, ...]:
     """All keys of a file, or of a mapping in it, that is read as this kind of description."""
-    keys = fields_of(kind)
+    keys = declared(kind)
     common = tuple(f for each in COMMON.get(kind, ()) if each.meaning for f in _common(each))
     if issubclass(kind, BallBearing):
         return (*extra(kind), *(key for key in keys if key.keys))

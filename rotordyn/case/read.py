@@ -32,6 +32,11 @@ _OTHER_FILES = {
     "young_modulus": "material",
     "sections": "tool",
 }
+_NAMED_BY = {kind: f"a case names it by {kind}: PATH" for kind in ("spindle", "bearing", "tool")}
+_NAMED_BY["material"] = (
+    "sections and discs of a spindle or tool name it by material: PATH, bearings by ring_material "
+    "and ball_material"
+)
 
 
 def load(path: str | Path) -> Case:
@@ -97,7 +102,7 @@ def _case(root: Node, name: str, reader: expand.Reader) -> Case | None:
     """Read the case in ``root``; valid only if ``reader.faults`` stays empty."""
     faults = reader.faults
     if (other := _other_file(root.value)) and not reader.faults.variant:
-        faults.at(root, f"this is a {other} file, not a case: a case names it by {other}: PATH")
+        faults.at(root, f"this is a {other} file, not a case: {_NAMED_BY[other]}")
         return None
     override = of_machine(root, reader)
     named_once(root, faults)

@@ -223,7 +223,7 @@ class Reading:
             return {}
         keys = keys_of(kind)
         self._unknown_keys(kind, keys, node, ())
-        children = [(field, node.child(*field.keys)) for field in keys]
+        children = [(field, node.child(*field.keys)) for field in keys if field.keys]
         return {
             ".".join(field.keys): self.value(field.annotation, child)
             for field, child in children

@@ -84,8 +84,8 @@ class Fineness:
 
     @property
     def slow(self) -> float:
-        """Frequency up to which modes get static modes of gyroscopic forces [rad/s]: beyond the
-        band, since free-free modes above it contribute to modes below."""
+        """Frequency [rad/s] below which the basis has static modes of the gyroscopic forces of
+        every mode: above the band, since free-free modes above it contribute to modes in it."""
         return FINER ** (self.finer + self._precise) * self.band
 
     @property

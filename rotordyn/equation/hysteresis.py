@@ -262,7 +262,7 @@ def signs_at(omega: float, *, whirling: bool) -> Signs:
 
 
 def gathered(signs: Indices) -> Sequence[tuple[Signs, Flags]]:
-    """Return each set of signs that occurs, and where (…)."""
+    """Group ``signs`` (…, 3): each combination that occurs, with a mask (…) of its places."""
     sets = np.unique(signs.reshape(-1, 3), axis=0)
     return [(Signs(*map(int, key)), (signs == key).all(axis=-1)) for key in sets]
 

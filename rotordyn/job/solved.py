@@ -15,6 +15,7 @@ from bearings.errors import shown
 from rotordyn.allowance import Stop
 from rotordyn.analyses.solving import MachineResults, Progress
 from rotordyn.case.case import Case
+from rotordyn.case.doubts import unstated_hypotheses
 from rotordyn.errors import InvalidInput
 from rotordyn.figures.style import USUAL_FORMATS
 from rotordyn.job.results import DATE, Origin, Part, Results, inputs_of
@@ -116,8 +117,13 @@ class SolvedResults(Results):
 
     @cached_property
     def notes(self) -> tuple[str, ...]:
+        parts = self.solution.parts.items()
+        silent = {name: filter(None, [unstated_hypotheses(case)]) for name, (case, _) in parts}
         notes = self.solution.sentences(lambda machine: machine.notes)
-        if self.case.uncertain is None or self.held_intervals:
+        if self.held_intervals:
+            return notes
+        notes = (*notes, *by_variant(silent))
+        if self.case.uncertain is None:
             return notes
         return (*notes, "parts of the case are uncertain: run it with --interval for the ranges")
 

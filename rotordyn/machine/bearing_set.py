@@ -38,6 +38,7 @@ SETS = {  # +: the shaft pushes towards +x; the mirror image is the same set
     "QFT": "---+",
     "QT": "++++",
 }
+OPPOSITE = {"DF": "DB", "TFT": "TBT", "QFC": "QBC", "QFT": "QBT"}  # all thrusts reversed
 
 
 def patterns(name: str) -> tuple[str, ...]:

@@ -13,6 +13,7 @@ UNLIKE = 1.25  # bore over the diameter below it; some models count inner rings 
 TWICE = 0.1  # of a disc's mass that another disc shares
 BORED = 0.02  # of a disc's mass that the shaft shares, as where the bore is left at zero
 DENSEST, TIGHT = 2e4, 0.1  # [kg/m³] of any metal; share of the inertia of a solid ball of it
+HALF = 0.501  # of the width of a disc: one at the end of a shaft reaches half beyond it
 FAR = 1.0  # [m] radius of gyration of a body, where it is longer than the shaft
 
 
@@ -24,7 +25,16 @@ def implausible_bodies(spindle: Spindle) -> Iterator[str]:
 
 
 def _discs(spindle: Spindle) -> Iterator[str]:
+    start, end = spindle.shaft.reach
     for disc in spindle.discs:
+        half = 0.5 * disc.width
+        beyond = max(start - disc.x + half, disc.x + half - end)
+        if disc.width > end - start or beyond > HALF * disc.width:
+            yield (
+                f"disc {disc.name}, {disc.width * 1e3:.4g} mm wide at {disc.x * 1e3:.4g} mm, "
+                f"reaches {beyond * 1e3:.4g} mm beyond an end of the shaft, which is "
+                f"{(end - start) * 1e3:.4g} mm long: check the unit of its width, and its station"
+            )
         under = spindle.shaft.diameters_at(disc.x)[0]
         if disc.inner_diameter > UNLIKE * (widest := _diameter_below(spindle, disc)):
             yield (

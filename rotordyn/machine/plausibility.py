@@ -6,10 +6,11 @@ Nothing here is refused. Every check reads the description alone.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from itertools import pairwise
 
 from bearings.bearing import BallBearing
+from rotordyn.machine.bearing_set import OPPOSITE
 from rotordyn.machine.housing import Rows
 from rotordyn.machine.implausible_bodies import UNLIKE, implausible_bodies
 from rotordyn.machine.joint import WAYS
@@ -26,9 +27,12 @@ GROWING = 1.0e6  # [mm/min] n·dm from which a missing ring growth is reported
 BESIDE = 0.02  # of the width of rings: groove centres lie off their middle
 SLENDER = 100.0  # length over outer diameter of one section
 SOFT = (0.01, 1e3)  # [N/m], [N·m/rad]; springs have 1e5 to 1e8, less is meant as no spring
-SOFTEST = 1e5  # [Pa] of a solid: a tenth of soft rubber
 STRAIGHT = {("x", "x"), ("y", "y"), ("z", "z")}
 LONG = 10.0  # [m] of a shaft
+SHORT = 1e-5  # [m] of a section: less than any shoulder or chamfer has
+AT_RIM = 400.0  # [m/s]; a thin steel ring has 1.3 GPa there, rims of grinding wheels reach 250 m/s
+LOOSE = 5e3  # [N/m²] of Z·D²: a twentieth of the light preloads of makers
+HEAVY = 0.2  # damping ratio of a shaft; measured ones are below a few hundredths
 NEAR = 1e-6  # [m] between a point and an end
 
 
@@ -41,32 +45,35 @@ def implausible(spindle: Spindle, top: float) -> Iterator[str]:
     yield from _overlapping(spindle)
     yield from _arrangement(spindle)
     yield from _low_speed(top)
+    yield from _surface_speed(spindle, top)
     yield from _speed_factors(spindle, top)
     yield from _thin_walls(spindle)
     yield from _common_walls(spindle)
     yield from _loose_rings(spindle)
     yield from _soft_springs(spindle)
-    yield from _materials(spindle)
+    yield from _small_preloads(spindle)
+    yield from _damping_ratios(spindle)
     yield from estimates({seat.name: seat.bearing for seat in spindle.seats})
 
 
 def estimates(bearings: Mapping[str, BallBearing]) -> Iterator[str]:
     """Yield sentences on bearings, by name, whose geometry is estimated from a catalogue."""
-    named: dict[str, list[str]] = {}
+    alike: dict[str, list[str]] = {}
     doubted: dict[str, list[str]] = {}
     for name, bearing in bearings.items():
         if bearing.estimated:
-            named.setdefault(bearing.estimated, []).append(name)
+            alike.setdefault(bearing.estimated, []).append(name)
             doubted.setdefault(bearing.doubt, []).append(name)
-    for text, names in named.items():
+    for text, names in alike.items():
         yield (
-            f"{_which(names)}: estimate from catalogue values (nine in ten plausible internal "
+            f"{named(names)}: estimate from catalogue values (nine in ten plausible internal "
             f"geometries): {text}; results that depend on balls and grooves vary as much"
         )
-    yield from (f"{_which(names)}: {text}" for text, names in doubted.items() if text)
+    yield from (f"{named(names)}: {text}" for text, names in doubted.items() if text)
 
 
-def _which(names: list[str]) -> str:
+def named(names: Collection[str]) -> str:
+    """Return bearings by name, as the subject of a sentence: "bearings a, b"."""
     return f"bearing{'s' * (len(names) > 1)} {', '.join(names)}".strip()
 
 
@@ -123,25 +130,61 @@ def _soft_springs(spindle: Spindle) -> Iterator[str]:
             )
 
 
-def _materials(spindle: Spindle) -> Iterator[str]:
-    """Warn of Young's moduli far below that of any solid, as of a number given in GPa."""
-    used = [section.material for section in spindle.shaft.sections]
-    used += [disc.material for disc in spindle.discs]
-    for name, modulus in {(material.name, material.young_modulus): None for material in used}:
-        if modulus < SOFTEST:
+def _small_preloads(spindle: Spindle) -> Iterator[str]:
+    """Warn of springs far below the light preload class of their bearings, as of kN in N."""
+    for sleeve in spindle.sleeves:
+        bearings = [seat.bearing for seat in spindle.seats if seat.name in sleeve.bearings]
+        least = LOOSE * sum(each.balls * each.ball_diameter**2 for each in bearings)
+        force = sleeve.spring.preload
+        if 0.0 < force < least:
             yield (
-                f"young_modulus of {name} is {modulus:.6g} Pa: check its unit (did you mean "
-                f"{modulus:.6g} GPa = {modulus * 1e9:.6g} Pa?)"
+                f"spring of sleeve {sleeve.name}: a preload of {force:.4g} N is far below the "
+                f"light class of its bearings, some {20.0 * least:.2g} N: check its unit (did you "
+                f"mean {force:.4g} kN?)"
             )
+
+
+def _damping_ratios(spindle: Spindle) -> Iterator[str]:
+    """Warn of modal damping far above that of any shaft, as of percents given as a number."""
+    ratios = [*spindle.rotor_damping, *(r for rotor in spindle.rotors for r in rotor.rotor_damping)]
+    largest = max(ratios, default=0.0)
+    if largest > HEAVY:
+        yield (
+            f"damping.rotor: a damping ratio of {100.0 * largest:.4g} % is far above the few per "
+            f"cent of shafts: check its unit (did you mean {largest:.4g} %?)"
+        )
+
+
+def _surface_speed(spindle: Spindle, top: float) -> Iterator[str]:
+    """Warn of speeds at which no rotor of this diameter holds, as of rad/s instead of rpm."""
+    widest = max(
+        [section.outer_diameter for section in spindle.shaft.sections]
+        + [section.rear_outer_diameter or 0.0 for section in spindle.shaft.sections]
+        + [disc.outer_diameter for disc in spindle.discs]
+    )
+    rim = 0.5 * top * widest
+    if rim > AT_RIM:
+        meant = f" (did you mean {top:.6g} rpm?)" if rim / RPM < AT_RIM else ""
+        yield (
+            f"the highest speed is {top * RPM:.6g} rpm, at which the largest diameter, "
+            f"{widest * 1e3:.4g} mm, has a surface speed of {rim:.0f} m/s, above {AT_RIM:g} m/s, "
+            f"which hardly any steel rotor withstands: check speed and diameters{meant}"
+        )
 
 
 def _lengths(spindle: Spindle) -> Iterator[str]:
     for section, start in zip(spindle.shaft.sections, spindle.shaft.boundaries, strict=False):
         slender = section.length / section.outer_diameter
-        if slender > SLENDER:
-            named = f" ({section.name})" if section.name else ""
+        called = f" ({section.name})" if section.name else ""
+        if section.length < SHORT:
             yield (
-                f"section from {start * 1e3:.4g} mm on{named} of the shaft is "
+                f"section from {start * 1e3:.4g} mm on{called} of the shaft is "
+                f"{section.length * 1e6:.4g} µm long, less than any shoulder: check the unit of "
+                f"its length (did you mean {section.length * 1e6:.4g} mm?)"
+            )
+        if slender > SLENDER:
+            yield (
+                f"section from {start * 1e3:.4g} mm on{called} of the shaft is "
                 f"{section.length:.4g} m long, {slender:.0f} times its diameter: check the unit of "
                 "its length"
             )
@@ -163,14 +206,20 @@ def _tip(spindle: Spindle) -> Iterator[str]:
 
 def _bores(spindle: Spindle) -> Iterator[str]:
     """Warn of bearings on a shaft of another diameter, as of a radius given for it."""
+    unlike: dict[str, tuple[float, float]] = {}
     for seat in spindle.seats:
         bore = _size(seat, "bore_diameter")
         under = spindle.shaft.diameters_at(seat.x)[0]
         if bore is not None and not 1.0 / UNLIKE < under / bore < UNLIKE:
-            yield (
-                f"bearing {seat.name}: its bore is {bore * 1e3:.4g} mm, the shaft at its seat "
-                f"{under * 1e3:.4g} mm thick: check the section there, or the station"
-            )
+            unlike[seat.name] = bore, under
+    if unlike:
+        worst = max(unlike, key=lambda name: abs(math.log(unlike[name][1] / unlike[name][0])))
+        bore, under = unlike[worst]
+        of = f" of {worst}" if len(unlike) > 1 else ""
+        yield (
+            f"{named(unlike)}: the bore{of} is {bore * 1e3:.4g} mm, the shaft at its seat "
+            f"{under * 1e3:.4g} mm thick: check the section there, or the station"
+        )
 
 
 def _overlapping(spindle: Spindle) -> Iterator[str]:
@@ -201,8 +250,17 @@ def _arrangement(spindle: Spindle) -> Iterator[str]:
         yield (
             f"bearings {names} are mounted face to face (X): their contact lines meet between "
             "them, so that they restrain tilt with a short base; back to back (O) is usual in "
-            "spindles: reverse the thrust of both"
+            f"spindles: {_reversal(spindle)}"
         )
+
+
+def _reversal(spindle: Spindle) -> str:
+    """Return how bearings face to face become back to back: those of one sleeve stay alike."""
+    given = [seat.name for seat in spindle.seats if not seat.by_set]
+    turn = f"reverse the thrust of all bearings ({', '.join(given)})" if given else ""
+    given_set = spindle.arrangement.set if spindle.arrangement is not None else ""
+    opposite = f"name the set {OPPOSITE[given_set]}" if given_set in OPPOSITE else ""
+    return " and ".join(filter(None, (turn, opposite)))
 
 
 def _low_speed(top: float) -> Iterator[str]:
@@ -215,20 +273,19 @@ def _low_speed(top: float) -> Iterator[str]:
 
 
 def _speed_factors(spindle: Spindle, top: float) -> Iterator[str]:
-    for seat in spindle.seats:
-        factor = top * RPM * seat.bearing.pitch_diameter * 1e3
-        if factor > FASTEST:
-            yield (
-                f"bearing {seat.name}: n·dm {factor / 1e6:.2g} million mm/min at "
-                f"{top * RPM:.0f} rpm is beyond {FASTEST / 1e6:.2g} million, which no grease or "
-                "oil-air lubricated spindle bearing reaches: check speed and diameters"
-            )
+    factors = {s.name: top * RPM * s.bearing.pitch_diameter * 1e3 for s in spindle.seats}
+    if fast := [name for name, factor in factors.items() if factor > FASTEST]:
+        yield (
+            f"{named(fast)}: n·dm {max(factors.values()) / 1e6:.2g} million mm/min at "
+            f"{top * RPM:.0f} rpm is beyond {FASTEST / 1e6:.2g} million, which no grease or "
+            "oil-air lubricated spindle bearing reaches: check speed and diameters"
+        )
     growing = [seat for seat in spindle.seats if _growth_missing(seat, top)]
     if growing:
-        names = ", ".join(seat.name for seat in growing)
+        names = named([seat.name for seat in growing])
         largest = max(_free_growth(seat, top) for seat in growing)
         yield (
-            f"bearings {names}: no centrifugal ring growth is given above n·dm "
+            f"{names}: no centrifugal ring growth is given above n·dm "
             f"{GROWING / 1e6:g} million mm/min, where a free steel ring grows by up to "
             f"{largest * 1e6:.2g} µm on the radius at {top * RPM:.0f} rpm, and contact angles and "
             "preload follow: give growth.centrifugal or a fit"

@@ -27,7 +27,7 @@ class SqueezeFilmDamper(Description):
     radius: Annotated[Length, "radius of the journal, which does not spin"]
     clearance: Annotated[Length, "radial clearance"]
     eccentricity_ratio: Annotated[
-        EccentricityRatio, "radius of the circular orbit over the clearance"
+        EccentricityRatio, "ratio of the radius of the circular orbit to the clearance"
     ] = 0.0
     film: Annotated[
         str,

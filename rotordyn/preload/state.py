@@ -13,6 +13,7 @@ from bearings.ball.law import Law
 from bearings.ring.state import BearingState
 from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.machine.history import ASSEMBLED, Past
+from rotordyn.machine.plausibility import named
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.arrangement import SHAFT, as_mounted
@@ -158,21 +159,23 @@ class PreloadState:
         return [by_seat[seat] for seat in sorted(by_seat)]
 
     def small_shims(self) -> list[str]:
-        """Return a sentence for each bearing in which an arc presses beyond its groove's middle."""
+        """Return a sentence on bearings in which an arc presses beyond its groove's middle."""
         from bearings.ring.truncation import truncation
 
-        sentences = []
+        first = {}
         for seat, (state, column) in zip(self.spindle.seats, self.seat_states(), strict=True):
             if np.isnan(seat.bearing.grooves.middle_angles).all():
                 continue
             across = truncation(state).across_middle[:, column].any(axis=(-1, -2))
             if (rows := np.flatnonzero(across & self.usable)).size:
-                sentences.append(
-                    f"bearing {seat.name}: an arc presses beyond the middle of its groove, first "
-                    f"at {self.speed[rows[0]] * 30.0 / math.pi:.0f} rpm; the shim is too small "
-                    "for two arcs, give none or a larger one"
-                )
-        return sentences
+                first[seat.name] = self.speed[rows[0]] * 30.0 / math.pi
+        if not first:
+            return []
+        return [
+            f"{named(first)}: an arc presses beyond the middle of its groove, first at "
+            f"{min(first.values()):.0f} rpm; the shim is too small for two arcs, give none or a "
+            "larger one"
+        ]
 
     def seat_load(self) -> Array:
         """Return the axial load of every bearing in its own frame (speeds, seats) [N]."""

@@ -21,7 +21,9 @@ from rotordyn.results.text import opening, unbroken, wrapped
 
 
 def called(case: Described) -> str:
-    """Name and title of a case."""
+    """Name and title of a case; the title alone where it begins with the name."""
+    if case.title.startswith(case.name):
+        return case.title
     return f"{case.name}: {case.title}" if case.title else case.name
 
 

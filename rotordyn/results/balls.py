@@ -45,7 +45,7 @@ def preloaded(what: str, speed: Array, peak: Array) -> str:
         return ""
     return (
         f"{what}: contact pressure {at_rest / 1e9:.2f} GPa at rest, where spindle bearings are "
-        f"preloaded to less than {PRELOAD_PRESSURE / 1e9:g} GPa: check its preload and loads"
+        f"preloaded to less than {PRELOAD_PRESSURE / 1e9:g} GPa: check preload and loads"
     )
 
 
@@ -147,8 +147,8 @@ def friction_warning(what: str, speed: Array, required: Array) -> str:
     if not high.any():
         return ""
     return (
-        f"{what}: its balls roll without gyroscopic slip only if friction is above "
+        f"{what}: the balls roll without gyroscopic slip only if friction is above "
         f"{np.nanmax(required):.2g}, more than the {OILED:g} of oiled contacts "
         f"{which_of(speed, high)}; "
-        "raise its preload, or set friction to compute the slip"
+        "raise the preload, or set friction to compute the slip"
     )

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Annotated
 
 from bearings.ball.law import DYNAMICS, KINEMATICS, MOMENT_SHARING, Law
 from rotordyn.description import Description, Faults, named_twice
 from rotordyn.machine.history import HistoryStep, history_faults
 from rotordyn.machine.temperatures import Temperatures
-from rotordyn.quantity import Accuracy, Choice, Force, Friction, Length
+from rotordyn.quantity import HIDDEN, Accuracy, Choice, Force, Friction, Length
 from rotordyn.scene.formulation import FORMULATIONS, INERTIAL
 from rotordyn.scene.heat_flow import SpindleHeatFlow
 from rotordyn.scene.loads import PointLoad
@@ -20,6 +20,7 @@ from rotordyn.units import STANDARD_GRAVITY
 TANGENTS = ("complete", "frozen", "difference")
 BEARINGS = ("dynamic", "static")
 ROTOR = ("flexible", "rigid")
+HYPOTHESES = ("kinematics", "moment_sharing")
 GRAVITY = ("none", "+x", "-x", "+y", "-y", "+z", "-z")
 Tangent = Annotated[str, Choice(TANGENTS)]
 
@@ -28,7 +29,8 @@ Tangent = Annotated[str, Choice(TANGENTS)]
 class Conditions(Description):
     """How the machine is modelled; all optional.
 
-    ``law``: hypotheses on the balls. Infinite friction means no limit.
+    ``law``: hypotheses on the balls. Infinite friction means no limit. ``stated``: those of
+    ``HYPOTHESES`` that a file gives, of which some are defaults all the same.
     """
 
     kinematics: Annotated[
@@ -117,6 +119,7 @@ class Conditions(Description):
     axial_stiffening: Annotated[
         bool, "the axial force in the shaft stiffens or softens its bending"
     ] = True
+    stated: Annotated[tuple[str, ...], HIDDEN] = field(default=(), repr=False, compare=False)
 
     def _faults(self) -> Faults:
         yield from named_twice("loads", self.loads)

@@ -292,14 +292,14 @@ class Scene(Statics):
         return self.timed(f"{self.name_of(k)} system", solve)
 
     def system(self, k: int) -> FreeMotions:
-        """Return a subsystem with its free motions, solved once."""
+        """Return a subsystem with its modes of free vibration, solved once."""
         if k not in self.systems:
             self.systems[k] = self.system_at(k)
         return self.systems[k]
 
     def system_at(self, k: int, rows: Indices | None = None, *, few: bool = False) -> FreeMotions:
-        """Return a subsystem with its free motions at some ``rows`` of the usable speeds; ``few``:
-        for receptances at few frequencies, which do not always need modes."""
+        """Return a subsystem with its modes of free vibration at some ``rows`` of the usable
+        speeds; ``few``: for receptances at few frequencies, which do not always need modes."""
         if k in self.systems and rows is not None:
             return self.systems[k].at(rows)
         all_rows = rows is None or len(rows) == len(self.usable)

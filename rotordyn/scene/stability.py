@@ -63,7 +63,7 @@ def how_it_grows(pole: complex, highest: float) -> str:
     up to the ``highest`` [Hz].
 
     >>> how_it_grows(50.0 + 200.0j * math.pi, 400.0)
-    'vibrates at 100 Hz, growing e-fold in 0.02 s'
+    'vibrates at 100 Hz, its amplitude grows by a factor e in 0.02 s'
     """
     hertz = abs(pole.imag) / (2.0 * math.pi)
     if hertz > highest:
@@ -74,4 +74,4 @@ def how_it_grows(pole: complex, highest: float) -> str:
     motion = f"vibrates at {hertz:.4g} Hz"
     if abs(pole.imag) <= STRAIGHT * pole.real:
         motion = "moves away without vibrating (divergence, a static instability like buckling)"
-    return f"{motion}, growing e-fold in {1.0 / pole.real:.3g} s"
+    return f"{motion}, its amplitude grows by a factor e in {1.0 / pole.real:.3g} s"

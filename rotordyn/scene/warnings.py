@@ -6,19 +6,19 @@ Nothing is solved for them: they read the description and what the analyses have
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import combinations, product
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.equation.seat import HALF_TURN_ABOUT_Y
-from rotordyn.machine.plausibility import implausible
+from rotordyn.machine.plausibility import implausible, named
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.station import SLACK
-from rotordyn.preload.growth import released_fits
+from rotordyn.preload.growth import Release, released_fits
 from rotordyn.preload.ring_stress import YIELD, ring_stress
 from rotordyn.results.balls import (
     friction_warning,
@@ -78,10 +78,24 @@ def _released_fits(scene: Scene) -> Iterator[str]:
     speed = scene.bearing_speed[scene.has_temperatures]
     if not speed.size:
         return
-    for name, ring, on, *release in released_fits(scene.spindle, speed, scene.temperatures):
+    loose: dict[tuple[str, str], list[Release]] = {}
+    for each in released_fits(scene.spindle, speed, scene.temperatures):
+        loose.setdefault((each.ring, each.seat), []).append(each)
+    for (ring, on), released in loose.items():
+        names = list(dict.fromkeys(each.bearing for each in released))
+        first = min(released, key=lambda each: each.speed)
+        when = _when(first.held, first.speed)
+        if len(names) == 1:
+            yield (
+                f"bearing {names[0]}: the fit of its {ring} ring loosens {when}, from where on the "
+                f"ring grows without the {on}; raise its interference"
+            )
+            continue
+        later = any(each.speed > first.speed for each in released)
         yield (
-            f"bearing {name}: the fit of its {ring} ring loosens {_when(*release)}, from where on "
-            f"the ring grows without the {on}; raise its interference"
+            f"{named(names)}: the fits of their {ring} rings loosen {when}"
+            f"{f' ({first.bearing} first)' if later else ''}, from where on the rings grow without "
+            f"the {on}; raise their interference"
         )
 
 
@@ -204,15 +218,21 @@ def _yielding_rings(scene: Scene) -> Iterator[str]:
     """Warn of inner rings that yield under their interference fit."""
     stress = ring_stress(scene.spindle, scene.bearing_speed, scene.temperatures)
     stress = np.where(scene.has_temperatures[:, None], stress, np.nan)
-    for seat, ring in zip(scene.spindle.seats, stress.T, strict=True):
-        if np.nanmax(ring, initial=0.0) > YIELD:
-            row = int(np.nanargmax(ring))
-            yield (
-                f"bearing {seat.name}: its inner ring yields under its fit, "
-                f"{ring[row] / 1e6:.0f} MPa after Tresca at "
-                f"{scene.bearing_speed[row] * RPM.factor:.0f} rpm, allowed {YIELD / 1e6:g}; lower "
-                "the interference"
-            )
+    seats = [seat.name for seat in scene.spindle.seats]
+    if names := [name for name, ring in zip(seats, stress.T, strict=True) if _yields(ring)]:
+        row, k = np.unravel_index(int(np.nanargmax(stress)), stress.shape)
+        one = len(names) == 1
+        what = "its inner ring yields under its fit,"
+        what = what if one else "inner rings yield under their fits, up to"
+        yield (
+            f"{named(names)}: {what} {stress[row, k] / 1e6:.0f} MPa after Tresca at "
+            f"{scene.bearing_speed[row] * RPM.factor:.0f} rpm, allowed {YIELD / 1e6:g}; lower the "
+            "interference"
+        )
+
+
+def _yields(stress: Array) -> bool:
+    return bool(np.nanmax(stress, initial=0.0) > YIELD)
 
 
 def _heat_across(scene: Scene) -> Iterator[str]:
@@ -251,16 +271,22 @@ def _films_rule(scene: Scene) -> Iterator[str]:
     without, load = state.films.without, state.seat_load()
     with np.errstate(divide="ignore", invalid="ignore"):
         share = np.where(state.usable[:, None], np.abs(load / without - 1.0), np.nan)
-    for seat, column, dry_load, film_load in zip(
-        scene.spindle.seats, share.T, without.T, load.T, strict=True
-    ):
-        if np.nanmax(column, initial=0.0) > FILMS_RULE:
-            row = int(np.nanargmax(column))
-            yield (
-                f"bearing {seat.name}: oil films change its axial load from {dry_load[row]:.0f} to "
-                f"{film_load[row]:.0f} N at {state.speed[row] * RPM.factor:.0f} rpm; this is for "
-                "fully flooded films, and starved films change it less"
-            )
+    highest = np.nanmax(share, axis=0, initial=0.0)
+    names = [
+        s.name for s, most in zip(scene.spindle.seats, highest, strict=True) if most > FILMS_RULE
+    ]
+    if names:
+        row, k = (int(at) for at in np.unravel_index(int(np.nanargmax(share)), share.shape))
+        of = (
+            "its axial load"
+            if len(names) == 1
+            else f"their axial loads, that of {scene.spindle.seats[k].name} most,"
+        )
+        yield (
+            f"{named(names)}: oil films change {of} from {without[row, k]:.0f} to "
+            f"{load[row, k]:.0f} N at {state.speed[row] * RPM.factor:.0f} rpm; this is for "
+            "fully flooded films, and starved films change it less"
+        )
 
 
 def _guides(scene: Scene) -> Iterator[str]:
@@ -301,54 +327,80 @@ def bearing_warnings(scene: Scene) -> Iterator[str]:
     """Yield warnings of pressure, slip, required friction, open sides and small shims."""
     state = scene.preload
     speed, usable = state.speed, state.usable
+    pressure, friction, slips, wrong_side = {}, {}, {}, {}
     for seat, (balls, column) in zip(scene.spindle.seats, state.seat_states(), strict=True):
-        name, driven = f"bearing {seat.name}", balls.driven[:, column]
-        peak, required_friction = (
+        driven = balls.driven[:, column]
+        pressure[seat.name], friction[seat.name] = (
             np.where(usable, np.where(counted, part[:, column], 0.0).max(axis=-1), np.nan)
             for part, counted in (
                 (np.fmax(balls.inner_pressure, balls.outer_pressure), True),
                 (np.fmax(balls.inner_required_friction, balls.outer_required_friction), driven),
             )
         )
-        slips = np.where(usable, races(np.where(driven, balls.slipping[:, column], "")), "")
-        wrong_side = usable & (balls.status[:, column] == "open side").any(axis=-1)
-        no_slip = not any(slips)
-        sentences = (
-            pressed(name, speed, peak) or preloaded(name, speed, peak),
-            slipping(name, speed, slips),
-            friction_warning(name, speed, required_friction) if no_slip else "",
-            on_open_side(name, speed, wrong_side),
-        )
-        yield from (sentence for sentence in sentences if sentence)
-        if state.lateral is not None or state.force:
-            yield from _unloaded_balls(name, speed, usable, balls.inner_load[:, column], seat)
+        on = np.where(driven, balls.slipping[:, column], "")
+        slips[seat.name] = np.where(usable[:, None], on, "")
+        if any(races(slips[seat.name])):
+            del friction[seat.name]
+        wrong_side[seat.name] = usable & (balls.status[:, column] == "open side").any(axis=-1)
+    yield from _of_several(pressed, speed, pressure)
+    unpressed = {name: peak for name, peak in pressure.items() if not pressed(name, speed, peak)}
+    yield from _of_several(preloaded, speed, unpressed)
+    yield from _of_several(lambda what, s, each: slipping(what, s, races(each)), speed, slips)
+    yield from _of_several(friction_warning, speed, friction)
+    yield from _of_several(on_open_side, speed, wrong_side)
+    if state.lateral is not None or state.force:
+        states = zip(scene.spindle.seats, state.seat_states(), strict=True)
+        loads = [(seat, balls.inner_load[:, column]) for seat, (balls, column) in states]
+        yield from _unloaded_balls(speed, usable, loads)
     yield from state.small_shims()
 
 
+def _of_several(
+    warning: Callable[[str, Array, Any], str], speed: Array, values: Mapping[str, Any]
+) -> Iterator[str]:
+    """Yield one ``warning`` of all bearings whose ``values`` (speeds, …) call for it: of the
+    largest value, and of the speeds at which any of them does."""
+    names = [name for name, each in values.items() if warning(name, speed, each)]
+    if names:
+        each = [values[name] for name in names]
+        text = each[0].dtype.kind == "U"
+        joined = np.concatenate(each, axis=-1) if text else np.fmax.reduce(each)
+        yield warning(named(names), speed, joined)
+
+
 def _unloaded_balls(
-    name: str, speed: Array, usable: Flags, load: Array, seat: BearingSeat
+    speed: Array, usable: Flags, loads: Iterable[tuple[BearingSeat, Array]]
 ) -> Iterator[str]:
     """Warn of balls that static loads unload: all of them, or some of a bearing that takes thrust
-    in one direction."""
-    idle = usable[:, None] & (load <= 0.0)
-    rows = np.flatnonzero(idle.all(axis=1) if seat.bearing.both_ways else idle.any(axis=1))
-    if not rows.size:
-        return
-    balls, when = idle[rows[0]], _rows_when(speed, rows)
-    if balls.all():
-        why = "it is within its clearance" if seat.bearing.both_ways else "static loads unload it"
+    in one direction. ``loads`` (speeds, balls) of each seat."""
+    idle: dict[tuple[bool, bool], list[tuple[BearingSeat, Flags, Indices]]] = {}
+    for seat, load in loads:
+        without = usable[:, None] & (load <= 0.0)
+        both_ways = seat.bearing.both_ways
+        rows = np.flatnonzero(without.all(axis=1) if both_ways else without.any(axis=1))
+        if rows.size:
+            kind = both_ways, bool(without[rows[0]].all())
+            idle.setdefault(kind, []).append((seat, without[rows[0]], rows))
+    for (both_ways, every), found in idle.items():
+        names = named([seat.name for seat, _, _ in found])
+        when = _rows_when(speed, np.unique(np.concatenate([rows for *_, rows in found])))
+        it = "it" if len(found) == 1 else "them"
+        if every:
+            why = f"static loads unload {it}"
+            why = "no ball is loaded within the clearance" if both_ways else why
+            yield (
+                f"{names}: {why} {when}: no stiffness there, and modes, stiffness and responses "
+                f"are those of the shaft without {it}; raise the preload, or change the loads"
+            )
+            continue
+        seat, balls, _ = max(found, key=lambda each: float(each[1].mean()))
+        angle = 360.0 * np.flatnonzero(balls) / len(balls) * seat.thrust
+        of = f"its {len(balls)} balls" if len(found) == 1 else f"{len(balls)} balls of {seat.name}"
         yield (
-            f"{name}: {why} {when}: it has no stiffness there, and modes, stiffness and responses "
-            "are those of the shaft without it; raise its preload, or change the loads"
+            f"{names}: under the static loads {int(balls.sum())} of {of} carry nothing {when}, "
+            f"such as that at {int(angle[0]) % 360}° from y towards z: raise the preload, or lower "
+            "the loads (bearing_loads shows under which part of them)"
         )
-        return
-    angle = 360.0 * np.flatnonzero(balls) / len(balls) * seat.thrust
-    first, last = int(angle[0]) % 360, int(balls.sum())
-    yield (
-        f"{name}: under the static loads {last} of its {len(balls)} balls carry nothing {when}, "
-        f"such as that at {first}° from y towards z: raise its preload, or lower the loads "
-        "(bearing_loads shows under which part of them)"
-    )
 
 
 def _rows_when(speed: Array, rows: Indices) -> str:

@@ -171,7 +171,8 @@ def _part(step: Step, state: State, a: float, b: float, *, careful: bool) -> Par
 
 
 def _sample(step: Step, state: State, share: float, of: list[Condition]) -> Sample:
-    """Evaluate the rates of a state and the conditions ``of`` its part."""
+    """Sample of the part at a ``share`` of it: rates of its state, values and slopes of the
+    conditions ``of`` the part."""
     rate = rates(step, state)
     value = measures(step, state, step.load(share), of, rate)
     return Sample(share, state, rate.x, value, slopes(step, state, of, rate))

@@ -165,7 +165,7 @@ def _spanned(case: Case, path: str, span: Span) -> Parameter:
     (low, quantity), (high, _) = (_taken(case, path, end) for end in (span.low, span.high))
     numbers = [v for v in (low, high) if isinstance(v, float | int) and not isinstance(v, bool)]
     if len(numbers) < 2 or not all(map(math.isfinite, numbers)):
-        raise InvalidInput(f"{path}: holds no numbers, so that a span is impossible: list values")
+        raise InvalidInput(f"{path}: is not a number: list its values instead of a range")
     if not low < high:
         given = [quantity.written(v) if quantity else f"{v:g}" for v in (low, high)]
         raise InvalidInput(f"{path}: a span goes from low to high, got {given[0]} to {given[1]}")

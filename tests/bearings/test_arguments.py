@@ -9,7 +9,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from bearings import InvalidBearing, Lubricant, Material, condition
+from bearings import AngularContactBallBearing, InvalidBearing, Lubricant, Material, condition
 from bearings.arguments import MOST, checked
 from bearings.errors import shown
 from bearings.fits import bearing_bore, interference
@@ -43,8 +43,19 @@ def power(base: float, values: object, name: str = "", often: int = 1) -> float:
             lambda: Lubricant(5e-6, 8e-6),
             "viscosity_100 8 mm²/s must be below viscosity_40, 5 mm²/s",
         ),
-        (lambda: Material("m", 10**400, 0.3, 1.0), "young_modulus must be a number"),
-        (lambda: Material("m", 2e11, -1.001, 7800.0), "poisson_ratio must lie between -1 and 0.5"),
+        (lambda: Material("m", 10**400, 0.3, 1.0), "young_modulus must be a finite number"),
+        (
+            lambda: Material("m", 2e11, -1.001, 7800.0),
+            "poisson_ratio must lie above -1 and below 0.5",
+        ),
+        (lambda: Material("m", 210.0, 0.3, 7800.0), r"got 210 Pa \(did you mean 210 GPa\?\)"),
+        (lambda: Material("m", 2.1e5, 0.3, 7800.0), r"210000 Pa \(did you mean 210 GPa\?\)"),
+        (lambda: Material("m", 2e11, 0.3, 7.85), r"7.85 kg/m³ \(did you mean 7850 kg/m³\?\)"),
+        (lambda: Material("m", 2e11, 0.3, 7.85e-9), r"did you mean 7850 kg/m³\?"),
+        (lambda: Material("m", 2e11, 0.3, 7800.0, 11.5), r"did you mean 1.15e-05 1/K\?"),
+        (lambda: Material(3, 2e11, 0.3, 7800.0), "name must be text, got 3"),
+        (lambda: AngularContactBallBearing(8.0, 0.07, 20, contact_angle=0.3), "mean 8 mm"),
+        (lambda: AngularContactBallBearing(0.008, 0.07, 20, contact_angle=15.0), "mean 15°"),
     ],
 )
 def test_an_argument_that_makes_no_sense(call: Callable[[], object], words: str) -> None:

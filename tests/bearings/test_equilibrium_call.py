@@ -243,7 +243,7 @@ def test_a_start_is_a_state_of_the_same_kind() -> None:
 def test_only_values_with_a_unit_are_asked_for_it(change: dict[str, Any], asks: bool) -> None:
     with pytest.raises(InvalidBearing) as refused:
         replace(VEX70, **change)
-    assert ("is the unit right?" in str(refused.value)) == asks
+    assert ("(did you mean " in str(refused.value)) == asks
     assert len(str(refused.value)) < 200
 
 

@@ -11,6 +11,7 @@ from scipy.integrate import solve_bvp
 
 from bearings import STEEL, AngularContactBallBearing, InvalidBearing, Material
 from bearings.fit.compound import AXIAL_CONDITIONS, Cylinder, compound, release_speed
+from tests.oracles.idealised import idealised
 
 SHAFT_STEEL = Material("shaft steel", 210e9, 0.3, 7850.0)
 CERAMIC = Material("ceramic", 315e9, 0.26, 3190.0)
@@ -108,7 +109,7 @@ def test_reciprocity_of_rotation_and_pressure(axial: str) -> None:
     a, b, p = 0.02, 0.04, 1e7
     body = Cylinder(a, b, STEEL)
     grown = compound([body], (), OMEGA, axial=axial).radial_growth(b)
-    wide = Cylinder(b, 2 * b, Material("light and soft", 10.0, 0.0, 1e-6))
+    wide = Cylinder(b, 2 * b, idealised("light and soft", 10.0, 0.0, 1e-6))
     pressed = compound([body, wide], [1e-3], 0.0, axial=axial)
     scale = p / float(pressed.pressure[0])
     r, weight = np.polynomial.legendre.leggauss(20)

@@ -36,13 +36,14 @@ def test_every_case_is_in_the_table_of_the_folder() -> None:
     assert [name for name in NAMES if f"`{name}.yaml`" not in table] == []
 
 
+FRICTION = ("only if friction is above",)  # at the lowest loads
 SLIPS = ("the balls need more friction than the lubricant provides",)
 # of a chart at few speeds, not of the case
 FEWER = "too far apart for the lobes", "too far apart for the resonances"
 WARNED = {  # what the case is there to show
     "preload_concepts": ("are mounted face to face (X)",),
     "grinding_spindle_life": SLIPS,
-    "grinding_spindle_warm": ("the fit of its inner ring loosens",),
+    "grinding_spindle_warm": ("the fits of their inner rings loosen",),
     "mfw2310_lobes": ("period doubling limits", "too far apart for the resonances"),
     "mfw2310_thin_wall": ("period doubling limits", "too far apart for the resonances"),
     "mfw2310_uneven_teeth": ("period doubling limits",),
@@ -52,7 +53,7 @@ WARNED = {  # what the case is there to show
     ),
     "mfw2310_axial_cycle": ("is unloaded under an axial force",),
     "mfw2310_films": ("oil films change its axial load",),
-    "mfw2310_phases": ("only if friction is above",),
+    "mfw2310_phases": FRICTION,
     "vex70": ("only if friction is above",),
     "vex70_hypotheses": (
         "inner: under 1220 N: its balls roll",
@@ -81,6 +82,10 @@ WARNED = {  # what the case is there to show
     "grinding_spindle_touch": ("estimate from catalogue values",),
     "grinding_spindle_warm_up": ("rigid: bearing ", "spring: bearing "),
     "squeeze_film_damper": ("modes are overdamped",),
+    "vex70": FRICTION,
+    "vex70_hypotheses": FRICTION,
+    "vex70_inertia": FRICTION,
+    "vex70_steel_or_hybrid": FRICTION,
     "vex70_warm": ("there is no thermal balance above", "hotter than 150 °C"),
 }
 

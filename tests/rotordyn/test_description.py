@@ -40,7 +40,7 @@ from rotordyn.analyses.registry import analysis, built_in
 from rotordyn.case.keys import keys_of
 from rotordyn.description import Description
 from rotordyn.errors import InvalidInput
-from rotordyn.field import declared, descriptions
+from rotordyn.field import declared, descriptions, found_in
 from rotordyn.machine import (
     BearingSeat,
     ComputedShortening,
@@ -60,7 +60,7 @@ from rotordyn.machine import (
     Spring,
     Tool,
 )
-from rotordyn.quantity import LENGTH, RIGIDITY
+from rotordyn.quantity import LENGTH, RIGIDITY, Quantity
 
 BEARING = AngularContactBallBearing(7.144e-3, 55e-3, 19, contact_angle=math.radians(25))
 SHAFT = Shaft(0.0, (Section(0.3, 0.05, 0.02, STEEL, "body"),))
@@ -461,9 +461,17 @@ def test_every_name_of_a_face_can_be_had(room: str) -> None:
 
 
 def test_files_have_every_field_of_a_material() -> None:
-    """``bearings`` keeps them without units, ``case.keys`` writes them again with these."""
-    named = [key.name for key in keys_of(Material) if key.name]  # not of the notes beside them
-    assert sorted(named) == sorted(field.name for field in fields(Material))
+    """With the range by which Python refuses a value, and its meaning."""
+    named = {key.name: key for key in keys_of(Material) if key.name}  # not notes beside them
+    assert [*named] == [field.name for field in fields(Material)]
+    assert all(key.meaning for key in named.values())
+    limits = {name: found_in(key.annotation, Quantity) for name, key in named.items()}
+    assert {name: limit.allowed for name, limit in limits.items() if limit} == {
+        "young_modulus": "from 1 GPa up to 2000 GPa",
+        "poisson_ratio": "above -1 below 0.5",
+        "density": "from 100 kg/m^3 up to 30000 kg/m^3",
+        "thermal_expansion": "from -0.0001 1/K up to 0.001 1/K",
+    }
 
 
 @pytest.mark.parametrize("name", ["grinding_spindle", "mfw2310_computed", "friswell_coaxial"])

@@ -10,6 +10,7 @@ import pytest
 import rotordyn
 from rotordyn.case.starter import START, write_starter
 from rotordyn.cli import main
+from rotordyn.report.summary import called
 
 
 @pytest.fixture(autouse=True)
@@ -68,6 +69,24 @@ def test_names_that_are_no_words_are_refused(name: str, capsys: pytest.CaptureFi
     assert main(["new", "--", name]) == 2
     assert "not a name" in capsys.readouterr().err
     assert list(Path().iterdir()) == []
+
+
+@pytest.mark.parametrize("name", ["con", "NUL", "Aux.yaml", "com1", "LPT9"])
+def test_names_of_devices_are_refused(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """Windows opens no files of these names, whatever their suffix."""
+    assert main(["new", name]) == 2
+    said = capsys.readouterr().err
+    assert f"{name.removesuffix('.yaml')} is the name of a device on Windows" in said
+    assert list(Path().iterdir()) == []
+
+
+def test_the_title_has_the_name() -> None:
+    for name in ("grinder", "7014", "console"):
+        assert main(["new", name]) == 0
+        title = rotordyn.load(f"{name}.yaml").title
+        assert title == f"{name}, a grinding spindle to start from"
+    assert called(rotordyn.load("grinder.yaml")) == "grinder, a grinding spindle to start from"
+    assert called(rotordyn.load(START)) == f"{START}: A grinding spindle, to start from"
 
 
 @pytest.mark.parametrize("name", ["7014", "true", "grinder.yaml"])

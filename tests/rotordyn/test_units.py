@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import pytest
 from hypothesis import given
@@ -10,6 +11,7 @@ from hypothesis import strategies as st
 
 from rotordyn import units
 from rotordyn.errors import InvalidInput
+from rotordyn.quantity import Quantity
 
 READ = [
     ("24000 rpm", "speed", 24000 * math.pi / 30),
@@ -77,7 +79,7 @@ REFUSED = [
     ("2513 rpm", "frequency", "'rpm' is not a unit of frequency"),
     ("50 1/s", "frequency", "not a unit of frequency"),
     ("50 1/s", "speed", "not a unit of speed"),
-    ("70", "length", "unit missing (length): given '70'; allowed: m, mm, um"),
+    ("70", "length", "unit missing (length): given '70'; allowed: m, mm, um, in"),
     (0, "length", "unit missing"),
     ("70 mmm", "length", "did you mean mm?"),
     ("24000 RPM", "speed", "did you mean rpm?"),
@@ -230,3 +232,24 @@ def test_fahrenheit_means_nothing_of_other_kinds() -> None:
     with pytest.raises(InvalidInput, match="unknown unit 'F'") as refused:
         units.parse("3 F", "force")
     assert "Fahrenheit" not in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("limits", "given", "likely"),
+    [
+        (("pressure", "1 GPa", "2000 GPa"), "210 MPa", "210 GPa"),
+        (("density", "100 kg/m^3", "30000 kg/m^3"), "7.85 kg/m^3", "7.85 g/cm^3"),
+        (("length", "0.1 mm", "1 m"), "50 m", "50 mm"),
+        (("ratio", "0 %", "100 %"), 20, "20 %"),
+    ],
+)
+def test_a_number_that_another_unit_would_allow(
+    limits: tuple[str, str, str], given: object, likely: str
+) -> None:
+    """The message asks for it; where no unit helps it asks nothing."""
+    kind, low, high = limits
+    with pytest.raises(InvalidInput, match=rf"out of range.*\(did you mean {re.escape(likely)}\?"):
+        Quantity(kind, at_least=low, at_most=high).read(given)
+    with pytest.raises(InvalidInput) as refused:
+        Quantity(kind, at_least=low, at_most=high).read(f"-1 {units.KINDS[kind][0]}")
+    assert "did you mean" not in str(refused.value)

@@ -31,6 +31,7 @@ from rotordyn.preload.together import dynamic_preload
 from rotordyn.results.described import Shown
 from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.spec import Setting
+from tests.oracles.idealised import times
 from tests.oracles.spindles import CASES, RPM, conditions, mfw2310, scene, with_sleeve
 
 LAW = Law("outer", "equal")
@@ -178,7 +179,7 @@ def _stiffened(machine: Spindle, factor: float) -> Spindle:
     """Balls and rings with a modulus larger by ``factor``."""
 
     def stiff(material: Material) -> Material:
-        return replace(material, young_modulus=factor * material.young_modulus)
+        return times(material, young_modulus=factor)
 
     return replace(
         machine,

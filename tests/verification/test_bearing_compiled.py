@@ -232,3 +232,26 @@ def test_follower_says_what_it_cannot_do() -> None:
         Follower(VEX70, static_growth=1e-3)
     with pytest.raises(InvalidBearing, match="friction"):
         Law(friction=-0.1)
+
+
+@pytest.mark.parametrize(
+    ("error", "words"),
+    [
+        (ModuleNotFoundError("No module named 'numba'"), "numba is not installed, and balls"),
+        (ImportError("needs another NumPy"), r"numba cannot be loaded \(needs another NumPy\)"),
+    ],
+)
+def test_where_numba_is_missing_its_remedy_is_given(
+    error: ImportError, words: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The plain functions serve, but a user should know why they are slow."""
+
+    class Missing:
+        def find_spec(self, name: str, *_: object) -> None:
+            if name == "numba":
+                raise error
+
+    monkeypatch.delitem(sys.modules, "numba", raising=False)
+    monkeypatch.setattr(sys, "meta_path", [Missing(), *sys.meta_path])
+    with pytest.warns(RuntimeWarning, match=f"{words}.*python -m pip install numba"):
+        assert not jit.available.__wrapped__()

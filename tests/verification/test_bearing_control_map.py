@@ -19,6 +19,7 @@ from rotordyn.analyses.control.control_map import (
     resting_weight,
 )
 from tests.oracles.ball_bearing import BallBearingOracle
+from tests.oracles.idealised import times
 from tests.oracles.known_bearings import HARRIS_218, HYPOTHESES, RPM, VEX70, VEX70_IDENTIFIED
 from tests.oracles.known_grooves import QJ218, four_point
 
@@ -125,10 +126,7 @@ def test_boundary_scales_with_the_square_of_speed_where_mechanics_does(kinematic
         replace(CLOSE, ball_material=light), speed=2.0 * SPEED, law=Law(kinematics)
     ).boundary
     assert same == pytest.approx(reference, rel=1e-8)
-    ball, ring = (
-        replace(m, young_modulus=4.0 * m.young_modulus)
-        for m in (CLOSE.ball_material, CLOSE.ring_material)
-    )
+    ball, ring = (times(m, young_modulus=4.0) for m in (CLOSE.ball_material, CLOSE.ring_material))
     stiff = mapped(
         replace(CLOSE, ball_material=ball, ring_material=ring),
         speed=2.0 * SPEED,

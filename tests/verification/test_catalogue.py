@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.optimize import minimize
 
 from bearings import (
     SILICON_NITRIDE,
@@ -22,8 +23,11 @@ from bearings import (
     estimate,
     life,
 )
+from bearings.catalogue import estimate as estimating
 from bearings.catalogue.estimate import _range
-from bearings.catalogue.races import contact_stiffness, static_rating
+from bearings.catalogue.plausible import TIGHTEST, usual
+from bearings.catalogue.races import _table, contact_stiffness, static_rating
+from bearings.contact.hertz import curvature_difference, dimensionless
 from bearings.geometry import geometry
 from bearings.life.rating import Insides, rating
 
@@ -363,3 +367,54 @@ def test_script_judges_a_catalogue(tmp_path: Path) -> None:
     errors = [line.split() for line in done.stdout.splitlines() if "95th percentile" in line]
     assert len(errors) == 2
     assert all(float(line[2].rstrip("%,")) < 1.5 for line in errors)
+
+
+def test_the_table_of_contacts_is_that_of_hertz() -> None:
+    """Between its nodes, for conformities down to 0.500 001."""
+    approach, area = _table()
+    for ellipticity in np.exp(np.linspace(0.06, 7.9, 331)):
+        where = -math.log1p(-curvature_difference(ellipticity))
+        a, b, delta = dimensionless(ellipticity)
+        assert math.exp(approach(where)) == pytest.approx(delta, rel=2e-8)
+        assert math.exp(area(where)) == pytest.approx(a * b, rel=2e-8)
+
+
+@pytest.mark.parametrize("known", KNOWN)
+def test_the_likeliest_conformities_are_those_of_a_general_minimiser(known: Any) -> None:
+    """Of values 2 % off those of one geometry; L-BFGS-B from the same starting points."""
+    x, steel = Insides.of(known.grooves), known.ball_material
+    scale = x.balls * contact_stiffness(x, steel, STEEL) * x.free_distance**1.5
+    law = estimating.axial_law(x.contact_angle)
+    preloads = (200.0, 600.0, 1200.0)
+    rigidities = [
+        float(off * estimating.pair_values(law, scale, x.free_distance, preload)[0])
+        for off, preload in zip((0.98, 1.0, 1.02), preloads, strict=True)
+    ]
+    catalogue = Catalogue(
+        **RINGS,
+        contact_angle=x.contact_angle,
+        ball_material=steel,
+        preloads=preloads,
+        rigidities=tuple(rigidities),
+    )
+    section = RINGS["outside_diameter"] - RINGS["bore"]
+
+    def cost(values: Any, start: Insides) -> float:
+        trial = start._replace(inner_conformity=values[0], outer_conformity=values[1])
+        apart = estimating._apart(estimating._computed(trial, catalogue), catalogue)
+        return float(0.5 * (apart**2).sum() - usual(trial, section))
+
+    every, likely, _ = estimating._weighed(catalogue)
+    refined = estimating._refined(every, likely, catalogue)
+    step, best = estimating._STEP, math.inf
+    order = np.argsort(-likely)
+    pairs = np.stack([every.ball_diameter[order], every.balls[order]])
+    _, first = np.unique(pairs, axis=1, return_index=True)
+    for place in sorted(first)[: estimating._REFINED]:
+        start = every.at(order[place])
+        begin = [start.inner_conformity, start.outer_conformity]
+        limits = [(max(f - step, TIGHTEST), f + step) for f in begin]
+        best = min(best, minimize(cost, begin, (start,), "L-BFGS-B", bounds=limits).fun)
+    found = cost((refined.inner_conformity, refined.outer_conformity), refined)
+    assert found == pytest.approx(best, abs=1e-4)
+    assert found < best + 1e-7

@@ -14,7 +14,6 @@ import pytest
 from numpy.typing import NDArray
 
 import rotordyn
-from bearings import Material
 from rotordyn.allowance import within
 from rotordyn.analyses.campbell import solve as campbell
 from rotordyn.analyses.campbell.result import CampbellResult
@@ -37,11 +36,12 @@ from rotordyn.scene.scene import Scene
 from tests.oracles.dense_rotor.assemble import rotor_matrices
 from tests.oracles.dense_rotor.selection import LATERAL
 from tests.oracles.full_rotor import FullRotor
+from tests.oracles.idealised import idealised
 from tests.oracles.rotors import STEPPED, support, uniform
 from tests.oracles.spindles import system_of
 
 Complex = NDArray[np.complex128]
-LIGHT = Material("light", 2.1e11, 0.3, 1.0)
+LIGHT = idealised("light", 2.1e11, 0.3, 1.0)
 LENGTH, MASS, ETA = 0.6, 20.0, 0.04
 HALF = math.sin(0.5 * math.atan(ETA))  # damping ratio of k (1 + iη)
 HZ = 2.0 * math.pi

@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 import rotordyn
-from bearings import Material
 from rotordyn.analyses.campbell import solve as campbell
 from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.machine.lumped import PointMass
@@ -22,10 +21,11 @@ from rotordyn.report.warnings import result_warnings
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.scene import Scene
 from tests.oracles.coaxial import INNER, OUTER, bearing
+from tests.oracles.idealised import idealised
 from tests.oracles.rotors import support, uniform
 from tests.oracles.spindles import all_poles
 
-LIGHT = Material("light", 2.1e11, 0.3, 1.0)
+LIGHT = idealised("light", 2.1e11, 0.3, 1.0)
 LENGTH, MASS, BETA = 0.6, 20.0, 2e-8
 
 

@@ -7,7 +7,6 @@ import math
 import numpy as np
 import pytest
 
-from bearings.materials import Material
 from rotordyn.analyses.campbell import solve as campbell
 from rotordyn.analyses.campbell.result import CampbellResult
 from rotordyn.analyses.campbell.spec import CampbellSpec
@@ -17,6 +16,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.scene import Scene
+from tests.oracles.idealised import idealised
 from tests.oracles.stepped_rotors import STEEL
 
 TOP = 1000.0
@@ -29,7 +29,7 @@ def held(name: str, x: float, damping: float) -> LinearSupport:
 
 def solved(density: float, damping: float, top: float = TOP) -> CampbellResult:
     """A disc on a shaft of 500 mm on damped supports, at rest and at 1000 rad/s."""
-    light = Material("light", 2.1e11, 0.3, density)
+    light = idealised("light", 2.1e11, 0.3, density)
     spindle = Spindle(
         "light",
         Shaft(0.0, (Section(0.5, 0.03, 0.0, light),)),

@@ -10,12 +10,12 @@ import pytest
 from scipy.linalg import eig
 from scipy.optimize import brentq
 
-from bearings.materials import Material
 from rotordyn.analyses import CampbellSpec, Conditions
 from rotordyn.analyses.campbell.result import CampbellResult
 from rotordyn.analyses.solving import solve_spindle
 from rotordyn.machine import Disc, LinearSupport, Section, Shaft, Spindle
 from rotordyn.machine.rotor import RayleighDamping
+from tests.oracles.idealised import idealised
 from tests.oracles.rotors import STEEL
 from tests.oracles.spindles import RPM
 from tests.oracles.standard_beam import plane_bending
@@ -32,7 +32,7 @@ def disc(x: float) -> Disc:
 def rotor(
     density: float, discs: tuple[float, ...], k: float, c: float, beta: float = 0.0
 ) -> Spindle:
-    light = Material("light", 2.1e11, 0.3, density)
+    light = idealised("light", 2.1e11, 0.3, density)
     both = [{("y", "y"): value, ("z", "z"): value} for value in (k, c)]
     return Spindle(
         "light",

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 from scipy.linalg import eig
 
-from bearings.materials import Material
 from rotordyn.analyses.campbell import solve as campbell
 from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.analyses.frf import solve as frf
@@ -30,10 +29,11 @@ from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.loads import BalanceGrade, EccentricSpan, Unbalance
 from rotordyn.scene.scene import Scene
 from tests.oracles.coaxial import COAXIAL, INNER, OUTER, Together, bearing
+from tests.oracles.idealised import idealised
 from tests.oracles.rotors import STEEL
 from tests.oracles.spindles import RPM, all_poles, case, mfw2310, system_of
 
-LIGHT = Material("light and stiff", 2.1e14, 0.3, 1.0)
+LIGHT = idealised("light and stiff", 2.1e14, 0.3, 1.0)
 
 
 def scene(machine: Spindle, rpm: tuple[float, ...], highest: float, **given: object) -> Scene:

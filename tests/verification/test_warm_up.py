@@ -347,7 +347,7 @@ def test_no_accuracy_is_claimed_where_temperatures_run_away() -> None:
     assert not accuracy(gone)
     some = running_away()
     assert 0.0 < some.error < 1.0
-    assert "at speeds followed to the end" in accuracy(some)[0]
+    assert "at speeds computed to the end of the run" in accuracy(some)[0]
 
 
 @pytest.mark.long

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 import rotordyn
-from bearings import Material
 from rotordyn.analyses.campbell import solve as campbell
 from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.equation.dofs import DIRECTIONS
@@ -17,10 +16,11 @@ from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.support import LinearSupport
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.scene import Scene
+from tests.oracles.idealised import idealised
 from tests.oracles.rotors import STEEL, support, uniform
 from tests.oracles.spindles import RPM
 
-LIGHT = Material("light", 2.1e14, 0.3, 1e-3)
+LIGHT = idealised("light", 2.1e14, 0.3, 1e-3)
 
 
 def test_whirl_degree_of_a_tilting_disc() -> None:

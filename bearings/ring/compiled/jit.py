@@ -12,6 +12,7 @@ import os
 import shutil
 import stat
 import tempfile
+import warnings
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from functools import cache
@@ -59,10 +60,18 @@ def _callee(function: FunctionType) -> Any:
 
 @cache
 def available() -> bool:
-    """Whether numba is installed and can be imported; that takes a while."""
+    """Whether numba is installed and can be imported; that takes a while. Warns where it cannot."""
     try:
         import numba  # noqa: F401
-    except ImportError:  # also where it does not fit the numpy that is installed
+    except ImportError as error:  # also where it does not fit the numpy that is installed
+        gone = isinstance(error, ModuleNotFoundError)
+        why = "is not installed" if gone else f"cannot be loaded ({error})"
+        warnings.warn(
+            f"the package numba {why}, and balls are computed some hundred times slower: python -m "
+            "pip install numba",
+            RuntimeWarning,
+            stacklevel=2,
+        )
         return False
     return True
 

@@ -37,14 +37,18 @@ def numbers(result: BearingLoadsResult, _: Described) -> Iterator[Number]:
 
 def warnings(result: BearingLoadsResult) -> Iterator[str]:
     """Warn of bearings of which some ball loses contact under the loads."""
-    for k, name in enumerate(result.bearing):
-        rows = np.flatnonzero(np.isfinite(result.loss_share[:, k]))
-        if rows.size:
-            row = rows[np.argmin(result.loss_share[rows, k])]
-            angle, rpm = result.loss_azimuth[row, k], result.speed[row] * RPM.factor
-            ball = int(np.nanargmin(np.abs(result.ball_azimuth[k] - angle))) + 1
-            yield (
-                f"bearing {name}: its ball {ball}, at {math.degrees(angle):.0f}° from y towards z, "
-                f"loses contact under {result.loss_share[row, k]:.2f} of the loads at {rpm:.0f} "
-                "rpm: raise its preload, or lower the loads"
-            )
+    share = result.loss_share
+    if not np.isfinite(share).any():
+        return
+    row, k = (int(at) for at in np.unravel_index(int(np.nanargmin(share)), share.shape))
+    least = np.fmin.reduce(share)
+    others = [n for n, most in zip(result.bearing, least, strict=True) if np.isfinite(most)]
+    others.remove(result.bearing[k])
+    also = f" (and balls of {', '.join(others)} under more of them)" if others else ""
+    angle, rpm = result.loss_azimuth[row, k], result.speed[row] * RPM.factor
+    ball = int(np.nanargmin(np.abs(result.ball_azimuth[k] - angle))) + 1
+    yield (
+        f"bearing {result.bearing[k]}: its ball {ball}, at {math.degrees(angle):.0f}° from y "
+        f"towards z, loses contact under {share[row, k]:.2f} of the loads at {rpm:.0f} rpm{also}: "
+        "raise its preload, or lower the loads"
+    )

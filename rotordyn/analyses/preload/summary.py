@@ -63,4 +63,4 @@ def numbers(result: PreloadResult, case: Described) -> Iterator[Number]:
     yield from each_speed(result, "sum", "N", preload_sum(result, case.spindle), digits=0)
     for name, speed in zip(result.sleeve, result.stop_speed, strict=True):
         at = float(speed * RPM.factor) if math.isfinite(speed) else math.nan
-        yield Number(f"stop {name}", "rpm", at, digits=0, absent="not met")
+        yield Number(f"stop {name}", "rpm", at, digits=0, absent="not reached")

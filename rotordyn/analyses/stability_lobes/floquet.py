@@ -120,7 +120,7 @@ class Floquet:
 
     @cached_property
     def _state_by_state(self) -> Array:
-        """P: states after a period by those before it (2m, 2m)."""
+        """Monodromy matrix P over one period, without a cut (2m, 2m)."""
         decay = np.exp(self._modes.pole * self.spans.period)
         matrix, size = np.zeros((2, len(decay), 2, len(decay))), np.arange(len(decay))
         matrix[0, size, 0, size] = matrix[1, size, 1, size] = decay.real

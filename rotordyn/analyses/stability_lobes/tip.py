@@ -109,7 +109,7 @@ class Tip:
 
     @cached_property
     def growing(self) -> Complex:
-        """Pole of the fastest growing motion without a cut (s,) [rad/s], 0 where none grows."""
+        """Pole of the most unstable mode without a cut (s,) [rad/s], 0 where none is unstable."""
         return fastest_growth([motions for motions, *_ in self._parts], self.count)
 
     def at(self, row: int) -> Tip:

@@ -32,16 +32,18 @@ def numbers(result: StiffnessResult, _: Described) -> Iterator[Number]:
 
 def warnings(result: StiffnessResult) -> list[str]:
     """Warnings of bearings in which the radial force unloads a ball."""
-    sentences = []
-    for k, (name, force) in enumerate(zip(result.bearing, result.unloading_force.T, strict=True)):
-        if not np.isfinite(force).any():
-            continue
-        row = int(np.nanargmin(force))
-        angle = math.degrees(result.unloaded_azimuth[row, k])
-        sentences.append(
-            f"bearing {name}: its ball {result.unloaded_ball[row, k]:.0f}, at {angle:.0f}° from y "
-            f"towards z, loses contact under a radial force of {force[row]:.4g} N at "
-            f"{result.speed[row] * RPM.factor:.0f} rpm, and the bearing is more flexible above it: "
-            "raise its preload, or keep the force below"
-        )
-    return sentences
+    force = result.unloading_force
+    if not np.isfinite(force).any():
+        return []
+    row, k = (int(at) for at in np.unravel_index(int(np.nanargmin(force)), force.shape))
+    least = np.fmin.reduce(force)
+    others = [n for n, most in zip(result.bearing, least, strict=True) if np.isfinite(most)]
+    others.remove(result.bearing[k])
+    also = f" ({', '.join(others)} under larger ones)" if others else ""
+    angle = math.degrees(result.unloaded_azimuth[row, k])
+    return [
+        f"bearing {result.bearing[k]}: its ball {result.unloaded_ball[row, k]:.0f}, at "
+        f"{angle:.0f}° from y towards z, loses contact under a radial force of "
+        f"{force[row, k]:.4g} N at {result.speed[row] * RPM.factor:.0f} rpm{also}, and the bearing "
+        "is more flexible above it: raise its preload, or keep the force below"
+    ]

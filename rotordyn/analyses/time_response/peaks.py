@@ -63,8 +63,8 @@ def loads_and_peaks(
 
 def _balls(moved: Array, bearings: Bearings) -> tuple[Array, Array, Flags]:
     """Return, of rings displaced by ``moved`` (s, t, seats, 5): largest contact pressures [Pa],
-    numbers of balls without inner load, and flags of no loaded ball (s, t, seats); zero past the
-    end."""
+    numbers of balls unloaded at the inner race, and flags of no loaded ball (s, t, seats); zero
+    past the end."""
     states, instants, seats, _ = moved.shape
     exists = np.isfinite(moved).all(axis=-1)
     share = max(1, TOGETHER // max(1, states * seats))

@@ -84,7 +84,7 @@ class TimeResponseResult:
         *BEARING, unit="s", label="time of the largest pressure", printed=MILLISECOND
     )
     peak_idle: Array = quantity(
-        *BEARING, unit="", label="largest number of balls without inner load"
+        *BEARING, unit="", label="largest number of balls unloaded at the inner race"
     )
     unloaded_time: Array = quantity(
         *BEARING, unit="s", label="time with no ball loaded", printed=MILLISECOND

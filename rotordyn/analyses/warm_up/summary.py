@@ -88,7 +88,7 @@ def accuracy(result: WarmUpResult) -> list[str]:
     """Return the line of the error of temperatures by time steps, at speeds solved to the end."""
     if np.isnan(result.error):
         return []
-    where = " at speeds followed to the end" * any(result.ending)
+    where = " at speeds computed to the end of the run" * any(result.ending)
     return [f"temperatures over time within {max(result.error, 0.001):.2g} K{where}"]
 
 

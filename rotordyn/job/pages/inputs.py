@@ -10,17 +10,16 @@ from typing import Annotated, Any
 from bearings.bearing import BallBearing
 from rotordyn.analyses.measured_response import Port
 from rotordyn.case.case import Case
-from rotordyn.case.keys import fields_of
 from rotordyn.case.varied import usual_unit
 from rotordyn.description import quantity_of
-from rotordyn.field import found_in
+from rotordyn.field import declared, found_in
 from rotordyn.machine.matrix import Matrix, entry_name
 from rotordyn.page.blocks import Block, Printed, Table, Text
 from rotordyn.results.display import RPM
 from rotordyn.units import parse_unit
 
 KEPT_BY_FILES = ("own", "sizes", "by_set", "preloads", "override")  # of bearings and sections
-APART = ("name", "title", "references", "note", *KEPT_BY_FILES)
+APART = ("name", "title", "references", "note", "stated", *KEPT_BY_FILES)
 LONGEST = 110  # of a value in a table
 Row = tuple[str, str, str]
 
@@ -80,7 +79,8 @@ def _listed(held: Any) -> bool:
 
 
 def _given(value: Any) -> Iterator[tuple[Any, Any]]:
-    for field in fields_of(type(value)):
+    kind: Any = type(value)
+    for field in declared(kind):
         held = getattr(value, field.name) if field.name else field.default
         shown = field.name not in APART and not isinstance(held, BallBearing)  # in their own table
         if field.name and shown and held != field.default:

@@ -225,9 +225,8 @@ class Identification:
         idle = [u.name for u, i in zip(best.problem.unknowns, best.sure.idle, strict=True) if i]
         if reasons and idle:
             lines.append(
-                f"no measurement depends on {', '.join(idle)} at the best machine found, as with a "
-                "stop that is never reached: searches from other starts may find a better one "
-                "(starts)"
+                f"no measurement depends on {', '.join(idle)} at the best fit, as with a stop that "
+                "is never reached: searches from other starts may find a better one (starts)"
             )
         lines += inseparable(best.problem.unknowns, best.sure)
         if best.fit.absolute is not None:

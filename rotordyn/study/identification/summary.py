@@ -85,7 +85,8 @@ def _predictions(result: Identification) -> Iterator[str]:
     yield from _table(rows)
     for each in result.predictions:
         if each.lacking and not np.isnan(each.value):
-            yield from wrapped(f"no {each.name} of {'; '.join(each.lacking)}, which survive too")
+            of = "; ".join(each.lacking)
+            yield from wrapped(f"no {each.name} of {of}, which the data do not rule out either")
 
 
 def _profiled(result: Identification, unknown: Sought, digits: int) -> str:

@@ -12,9 +12,10 @@ import yaml
 
 import rotordyn
 from bearings import AngularContactBallBearing, DeepGrooveBallBearing, FourPointBallBearing
-from bearings.bearing import BallBearing, Measure
+from bearings.bearing import BallBearing
 from bearings.errors import InvalidBearing
 from bearings.kinds import KINDS, kind_class
+from bearings.measure import Measure
 from rotordyn import units
 from rotordyn.case.keys import extra, keys_of
 from rotordyn.case.schema import json_schema

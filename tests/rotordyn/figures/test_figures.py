@@ -393,7 +393,7 @@ def test_tangents_have_a_curve_per_load_and_a_map():
     ]  # fmt: skip
     ends = [line.get_ydata()[-1] for line in curves.lines[:5]]
     np.testing.assert_allclose(ends, [-16.0, -8.0, -4.0, -8.0 / 3.0, -2.0])
-    marker = next(line for line in curves.lines if line.get_label() == "published: size")
+    marker = next(line for line in curves.lines if line.get_label() == "published magnitude")
     np.testing.assert_allclose(marker.get_xydata(), [[24000.0, -16.0]])
     assert "largest -16.0 % at 24000 rpm, 250 N" in chart.get_title()
 

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+import rotordyn
 from bearings.materials import Material
-from rotordyn.errors import NoSolution
+from rotordyn.case.model import model
+from rotordyn.errors import InvalidInput, NoSolution
+from rotordyn.machine.bearing_set import OPPOSITE, patterns
 from rotordyn.machine.flexible_rings import RingBodies
 from rotordyn.machine.growth import RingGrowth
 from rotordyn.machine.lumped import Disc, PointMass
-from rotordyn.machine.plausibility import implausible, undamped, unopposed
+from rotordyn.machine.plausibility import LOOSE, implausible, undamped, unopposed
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.scene.conditions import Conditions
@@ -61,13 +65,71 @@ def test_stiffness_given_in_newton_per_micrometre() -> None:
     assert "did you mean 6.2 N/um?" in said
 
 
-def test_youngs_modulus_given_in_gigapascal() -> None:
+@pytest.mark.parametrize(("speed", "meant"), [(24000.0, True), (17000.0, True), (15000.0, False)])
+def test_a_speed_in_radians_without_rolling_bearings(speed: float, meant: bool) -> None:
+    """A shaft of 50 mm has 400 m/s at its surface at 16 000 rad/s, a disc on it more."""
+    shaft = Shaft(0.0, (Section(0.5, 0.05, 0.0, STEEL),))
+    rotor = Spindle("rotor", shaft)
+    said = _said(rotor, speed)
+    assert (f"surface speed of {0.025 * speed:.0f} m/s" in said) == meant
+    assert (f"(did you mean {speed:g} rpm?)" in said) == meant
+    wheel = replace(rotor, discs=(Disc("wheel", 0.25, 0.5, 0.05, 0.04, STEEL),))
+    assert f"500 mm, has a surface speed of {0.25 * speed:.0f} m/s" in _said(wheel, speed)
+    assert "surface speed" not in _said(wheel, 1500.0)
+
+
+@pytest.mark.parametrize(
+    ("x", "width", "said"),
+    [
+        (0.25, 0.04, ""),
+        (0.5, 0.04, ""),
+        (0.25, 0.6, "disc d, 600 mm wide at 250 mm, reaches 50 mm beyond an end of the shaft"),
+        (0.49, 0.4, ""),
+        (0.0, 0.04, ""),
+    ],
+)
+def test_a_disc_wider_than_its_shaft(x: float, width: float, said: str) -> None:
+    """An overhung disc on the end of a shaft reaches half its width beyond it."""
+    shaft = Shaft(0.0, (Section(0.5, 0.05, 0.0, STEEL),))
+    rotor = Spindle("rotor", shaft, discs=(Disc("d", x, 0.2, 0.05, width, STEEL),))
+    assert said in _said(rotor)
+    assert ("beyond an end" in _said(rotor)) == bool(said)
+
+
+def test_a_section_of_micrometres() -> None:
     machine = mfw2310()
-    soft = Section(0.1, 0.05, 0.0, Material("steel", 210.0, 0.3, 7800.0), "rear end")
-    shaft = replace(machine.shaft, sections=(*machine.shaft.sections, soft))
-    said = _said(replace(machine, shaft=shaft))
-    assert "young_modulus of steel is 210 Pa" in said
-    assert "did you mean 210 GPa = 2.1e+11 Pa?" in said
+    for length, words in ((1e-6, "1 µm long, less than any shoulder"), (5e-5, "")):
+        thin = Section(length, 0.05, 0.0, STEEL, "rear end")
+        shaft = replace(machine.shaft, sections=(*machine.shaft.sections, thin))
+        said = _said(replace(machine, shaft=shaft))
+        assert words in said
+        assert ("shoulder" in said) == bool(words)
+
+
+def test_a_preload_in_newton_instead_of_kilonewton() -> None:
+    machine = mfw2310()
+    front, rear = machine.sleeves
+    for force, words in ((1.2, "a preload of 1.2 N is far below the light class"), (60.0, "")):
+        weak = replace(front, spring=replace(front.spring, preload=force))
+        said = _said(replace(machine, sleeves=(weak, rear)))
+        assert words in said
+        assert ("(did you mean 1.2 kN?)" in said) == bool(words)
+
+
+def test_the_light_class_is_that_of_makers() -> None:
+    """Of the bearings whose catalogue prints preload classes."""
+    for name in ("kh6014e", "s6012e", "vex70"):
+        bearing = model("bearings", name)
+        path = Path(rotordyn.__file__).parents[1] / f"models/bearings/{name}.yaml"
+        printed = float(path.read_text(encoding="utf-8").partition("preloads: [")[2].split()[0])
+        per_area = printed / (bearing.balls * bearing.ball_diameter**2)
+        assert 15.0 * LOOSE < per_area < 30.0 * LOOSE
+
+
+def test_damping_ratios_of_shafts_are_small() -> None:
+    machine = mfw2310()
+    assert "damping ratio of 50 % is far above" in _said(replace(machine, rotor_damping=(0.5,)))
+    assert "damping ratio" not in _said(replace(machine, rotor_damping=(0.05, 0.1)))
 
 
 def test_discs_that_float_or_count_mass_twice() -> None:
@@ -143,7 +205,43 @@ def test_face_to_face_is_named_only_where_no_pair_is_back_to_back() -> None:
     assert any(word == "O" for *_, word in machine.pairings)
     turned = tuple(replace(seat, thrust=-seat.thrust) for seat in machine.seats)
     faced = replace(machine, seats=turned)
-    assert "face to face (X)" in _said(faced)
+    said = _said(faced)
+    assert "face to face (X)" in said
+    assert "spindles: reverse the thrust of all bearings (a, b, c, d, e)" in said
+    assert "face to face" not in _said(replace(faced, seats=machine.seats))
+    grinding = rotordyn.load("grinding_spindle").spindle  # c and d on one sleeve
+    assert grinding is not None
+    faced = tuple(replace(seat, thrust=-seat.thrust) for seat in grinding.seats)
+    assert "bearings b and c are mounted face to face" in _said(replace(grinding, seats=faced))
+    both = tuple(replace(s, thrust=-s.thrust) if s.name in ("b", "c") else s for s in faced)
+    with pytest.raises(InvalidInput, match="one sleeve must all have the same thrust"):
+        replace(grinding, seats=both)
+
+
+@pytest.mark.parametrize("thrusts", [None, (-1, 1)])
+def test_a_set_face_to_face_becomes_back_to_back_by_its_name(
+    thrusts: tuple[int, int] | None,
+) -> None:
+    machine = rotordyn.load("preload_concepts").variants["face_to_face"].spindle
+    assert machine is not None
+    assert machine.arrangement is not None
+    if thrusts is not None:
+        seats = zip(machine.seats, thrusts, strict=True)
+        turned = tuple(replace(seat, thrust=sign, by_set=False) for seat, sign in seats)
+        machine = replace(machine, seats=turned)
+    remedy = "name the set DB"
+    if thrusts is not None:
+        remedy = f"reverse the thrust of all bearings (front, rear) and {remedy}"
+    assert f"usual in spindles: {remedy}" in _said(machine)
+    seats = tuple(replace(seat, thrust=-seat.thrust) for seat in machine.seats)
+    named = replace(machine.arrangement, set="DB")
+    assert "face to face" not in _said(replace(machine, seats=seats, arrangement=named))
+
+
+def test_opposite_sets_have_every_thrust_reversed() -> None:
+    swapped = str.maketrans("+-", "-+")
+    for one, other in OPPOSITE.items():
+        assert {signs.translate(swapped) for signs in patterns(one)} == {*patterns(other)}
 
 
 def test_speed_beyond_any_lubrication() -> None:
@@ -192,7 +290,7 @@ def test_a_bearing_on_a_shaft_of_another_diameter(share: float, said: bool) -> N
     bore = machine.shaft.diameters_at(first.x)[0] / share
     seats = (replace(first, sizes={"bore_diameter": bore}), *machine.seats[1:])
     words = _said(replace(machine, seats=seats))
-    assert (f"bearing {first.name}: its bore is {bore * 1e3:.4g} mm" in words) == said
+    assert (f"bearing {first.name}: the bore is {bore * 1e3:.4g} mm" in words) == said
 
 
 @pytest.mark.parametrize(("rpm", "said"), [(0.0, False), (12.0, True), (1500.0, False)])

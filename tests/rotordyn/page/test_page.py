@@ -22,9 +22,9 @@ import pytest
 import rotordyn
 from docs.site.runs import case_run
 from rotordyn import cli
-from rotordyn.case.keys import fields_of
 from rotordyn.case.uncertain import Uncertain
 from rotordyn.errors import InvalidInput
+from rotordyn.field import declared
 from rotordyn.job.pages import intervals
 from rotordyn.job.pages.asked import numbers_table
 from rotordyn.job.pages.inputs import _written, input_blocks
@@ -217,7 +217,7 @@ def test_inputs_are_called_as_in_files(tmp_path: Path) -> None:
     rows = {row[0]: row[1] for row in tables["Spindle"].rows}
     assert rows["drawbar"] == "force 5 kN, from 20 mm, to 390 mm"
     assert list(tables["Analysis section forces: line loads"].head) == ["", "from", "to", "qy"]
-    (points,) = (field for field in fields_of(Tool) if field.name == "points")
+    (points,) = (field for field in declared(Tool) if field.name == "points")
     assert _written({"tip": math.inf, "inner": -0.03}, points.annotation) == (
         "tip: front; inner: -30 mm"
     )

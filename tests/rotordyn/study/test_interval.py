@@ -197,10 +197,12 @@ def test_why_some_machines_lack_a_number_is_what_is_said_of_it() -> None:
         ("preload",), (0.0, 24000.0), tolerances={"spindle.sleeves.front.stop_travel": "± 90 %"}
     )
     held = rotordyn.run(case, interval=True).held_intervals[""]
-    stop = [name for name, word in zip(held.number, held.absent, strict=True) if word == "not met"]
+    stop = [
+        name for name, word in zip(held.number, held.absent, strict=True) if word == "not reached"
+    ]
     assert "preload: stop front" in stop
     told = " ".join(interval_doubts(held))
-    assert "no such number: not met; ranges" in told
+    assert "no such number: not reached; ranges" in told
     unknown = replace(held, absent=("none",) * len(held.number))
     assert "no such number: a bearing unloaded" in " ".join(interval_doubts(unknown))
 

@@ -110,7 +110,7 @@ def _known(axes: Axes, references: Sequence[Reference], error: Array) -> None:
                 mec=BLACK,
                 ls="none",
                 clip_on=False,
-                label=f"{reference.kind}: size",
+                label=f"{reference.kind} magnitude",
             )
 
 

@@ -180,10 +180,10 @@ def test_required_friction_and_the_open_side_are_reported_once_for_all_loads() -
     speed = np.array([0.0, 10000.0]) * RPM
     found = solve(VEX70, Conditions(), speed, BearingMapSpec((20.0, 50.0, 2000.0)))
     (friction,) = (word for word in warnings(found) if "gyroscopic slip" in word)
-    assert friction.startswith("under 20 N and more: its balls roll")
+    assert friction.startswith("under 20 N and more: the balls roll")
     assert f"above {found.required_friction.max():.2g}, more" in friction
     assert friction.endswith(
-        "from 10000 rpm on; raise its preload, or set friction to compute the slip"
+        "from 10000 rpm on; raise the preload, or set friction to compute the slip"
     )
     assert found.required_friction[1, 0] > 0.1 > found.required_friction[1, 2]
     limited = solve(VEX70, replace(OUTER, friction=0.02), speed, BearingMapSpec((20.0, 2000.0)))

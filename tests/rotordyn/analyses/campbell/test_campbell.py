@@ -18,6 +18,7 @@ from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.spindle import Spindle
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.scene import Scene
+from tests.oracles.idealised import idealised
 from tests.oracles.rotors import support, uniform
 from tests.oracles.spindles import RPM, case, mfw2310, scene, undamped
 
@@ -208,7 +209,7 @@ def test_forward_criticals_only_where_supports_are_even() -> None:
 def test_critical_of_a_rigid_disc_in_closed_form() -> None:
     """Jeffcott: a heavy disc midway on a light stiff shaft, ω² = 2k/m."""
     disc = PointMass("disc", 0.25, 200.0, 1e-6, 1e-6)
-    light = Material("light", 2.1e13, 0.3, 1.0)
+    light = idealised("light", 2.1e13, 0.3, 1.0)
     rotor = uniform(
         0.5, 0.06, light, masses=(disc,),
         supports=(support("a", 0.0, (1e6, 1e6)), support("b", 0.5, (1e6, 1e6))),
