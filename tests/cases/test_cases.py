@@ -54,13 +54,6 @@ WARNED = {  # what the case is there to show
     "mfw2310_axial_cycle": ("is unloaded under an axial force",),
     "mfw2310_films": ("oil films change its axial load",),
     "mfw2310_phases": FRICTION,
-    "vex70": ("only if friction is above",),
-    "vex70_hypotheses": (
-        "inner: under 1220 N: its balls roll",
-        "geometric: under 1220 N: its balls",
-    ),
-    "vex70_inertia": ("gyroscopic: under 100 N and more: its balls roll",),
-    "vex70_steel_or_hybrid": ("hybrid: under 610 N: its balls", "steel: under 610 N and more: its"),
     "mfw2310_rigid_or_sprung": ("is unloaded under an axial force",),
     "friswell_internal_damping": (
         "viscous: bending 1 forward is unstable from",
