@@ -321,6 +321,8 @@ def test_the_error_of_poles_counts_those_that_either_model_lacks() -> None:
         )
         scene: Any = SimpleNamespace(
             usable=[0],
+            speed=np.zeros(1),
+            spindle=SimpleNamespace(supports=()),
             owner=lambda *_: 0,
             system_at=lambda *_: one,
             refined=SimpleNamespace(system_at=lambda *_: other),
