@@ -58,7 +58,6 @@ WARNED = {  # what the case is there to show
     "friswell_internal_damping": (
         "viscous: bending 1 forward is unstable from",
         "hysteretic: bending 1 forward is unstable from",
-        "is unstable at",
         ": unstable at",
     ),
     "qj218": ("contact ellipse passes the shoulder of the inner ring, first under 70000 N",),

@@ -266,8 +266,8 @@ def _omitted_modes(result: CampbellResult) -> list[str]:
         speeds = from_to(result.speed[missing] * RPM.factor, 0)
         if result.kind[k] in ("axial", "torsion"):
             sentences.append(
-                f"{result.mode[k]} lies above the band asked for at {speeds} rpm: raise "
-                "max_frequency to include it there"
+                f"{result.mode[k]} is above max_frequency at {speeds} rpm: raise it to include the "
+                "mode there"
             )
         else:
             sentences.append(
@@ -278,26 +278,33 @@ def _omitted_modes(result: CampbellResult) -> list[str]:
 
 
 def _unstable_modes(result: CampbellResult) -> list[str]:
-    sentences = []
-    if result.threshold_is_bound or 0.0 < result.stability_threshold < result.speed[-1]:
-        rpm = f"{result.stability_threshold * RPM.factor:.0f} rpm"
-        onward = " on" if _stays_unstable(result) else ""
-        sentences.append(
-            f"{result.unstable_mode} is unstable at {rpm} already, the lowest speed at which "
-            "it is solved: add lower speeds to find its threshold"
-            if result.threshold_is_bound
-            else f"{result.unstable_mode} is unstable from {rpm}{onward}"
-        )
+    """Return a sentence for each unstable mode, that of the threshold with its speed."""
+    grown = {}
     for name, ratio, growing in zip(
         result.mode, result.damping_ratio.T, result.unstable.T, strict=True
     ):
         rows = np.flatnonzero(growing)
         if rows.size:
-            sentences.append(
-                f"{name} is unstable at {result.speed[rows[0]] * RPM.factor:.0f} rpm"
-                + (f" and {rows.size - 1} more of the speeds" if rows.size > 1 else "")
-                + f" (damping ratio down to {percent(np.nanmin(ratio))})"
-            )
+            grown[name] = rows, f"(damping ratio down to {percent(np.nanmin(ratio))})"
+    sentences = []
+    if result.threshold_is_bound or 0.0 < result.stability_threshold < result.speed[-1]:
+        rpm = f"{result.stability_threshold * RPM.factor:.0f} rpm"
+        onward = " on" if _stays_unstable(result) else ""
+        speeds = ""
+        if result.unstable_mode in grown:
+            rows, lowest = grown.pop(result.unstable_mode)
+            first = "" if onward else f", first {result.speed[rows[0]] * RPM.factor:.0f} rpm"
+            speeds = f", at {len(rows)} of {len(result.speed)} speeds{first} {lowest}"
+        sentences.append(
+            f"{result.unstable_mode} is unstable at {rpm} already, the lowest speed at which "
+            f"it is solved{speeds}: add lower speeds to find its threshold"
+            if result.threshold_is_bound
+            else f"{result.unstable_mode} is unstable from {rpm}{onward}{speeds}"
+        )
+    for name, (rows, lowest) in grown.items():
+        more = f" and {rows.size - 1} more of the speeds" if rows.size > 1 else ""
+        first = f"{result.speed[rows[0]] * RPM.factor:.0f} rpm"
+        sentences.append(f"{name} is unstable at {first}{more} {lowest}")
     return sentences
 
 

@@ -66,8 +66,8 @@ class Peaks(NamedTuple):
 
 
 def frequency_of(motions: FreeMotions, *, turning: bool) -> Array:
-    """Frequencies [Hz] of the poles (s, k), as a frame that is ``turning`` with the shaft sees
-    them."""
+    """Frequencies [Hz] of the poles (s, k); ``turning``: in the frame that rotates with the
+    shaft."""
     omega = motions.pole.imag
     if turning and motions.whirling:
         omega = np.abs(motions.whirl * omega - motions.linear.speed[:, None])

@@ -213,7 +213,9 @@ class FrequencyResponse:
         label="relative error of a coupled tip over that of the responses",
         absent=(NO_TIP,),
     )
-    measured_doubt: Words = quantity("measured", unit="", label="what makes a coupled tip doubtful")
+    measured_doubt: Words = quantity(
+        "measured", unit="", label="why the coupled tip FRF is unreliable"
+    )
 
     def highest(self, pair: int) -> tuple[int, int] | None:
         """Speed and resonance of the highest peak of a pair, None where there is none."""

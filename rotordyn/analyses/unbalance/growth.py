@@ -19,7 +19,7 @@ NONE = -1e-12  # of |pole|: stands for growth 0 of an undamped motion
 
 class Growth(NamedTuple):
     """``first`` and ``last`` speed (r,) [rad/s] of every range of unstable speeds, and the ``pole``
-    (r,) [rad/s] of the fastest growing motion there."""
+    (r,) [rad/s] of the most unstable mode there."""
 
     first: Array
     last: Array

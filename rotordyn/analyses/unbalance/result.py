@@ -150,7 +150,7 @@ class UnbalanceResult:
         "fine_speed",
         "support",
         unit="1",
-        label="orbit over the clearance of the squeeze film",
+        label="ratio of orbit to clearance of the squeeze film",
         absent=(
             Absence(
                 "of bearings and supports, and where there is no motion",
@@ -161,7 +161,7 @@ class UnbalanceResult:
     film_ratio: Array = quantity(
         "support",
         unit="1",
-        label="orbit over the clearance for which the film is computed",
+        label="ratio of orbit to clearance for which the film is computed",
         absent=(Absence("of bearings and supports", by=("support",)),),
     )
     resonance: NDArray[np.int_] = coordinate("resonance", unit="", label="resonance")
@@ -225,7 +225,7 @@ class UnbalanceResult:
     unstable_pole: Complex = quantity(
         "unstable_range",
         unit="rad/s",
-        label="pole of the fastest growing motion",
+        label="pole of the most unstable mode",
         printed=PER_SECOND,
     )
     model_frequency: float = quantity(unit="Hz", label="highest frequency of the model")
