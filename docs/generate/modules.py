@@ -16,6 +16,7 @@ PACKAGES += tuple(f"rotordyn/{r}" for r in ("results", "scene", "modes", "analys
 # Array types, checks, what a case specifies and how a result is reported need no theory.
 PLAIN = {
     "arguments",
+    "measure",
     "arrays",
     "spec",
     "result",
