@@ -35,7 +35,11 @@ class StiffnessResult:
     deflection: Array = quantity("speed", "variant", "force", unit="m", label="deflection")
     tangent: Array = quantity("speed", "variant", unit="N/m", label="tangent stiffness at no load")
     stop_tangent: Array = quantity(
-        "stop_speed", "variant", unit="N/m", label="tangent stiffness where a stop is met"
+        "stop_speed",
+        "variant",
+        unit="N/m",
+        label="tangent stiffness where a stop is met",
+        absent=(Absence("of other stops, which are met elsewhere", by=("variant",)),),
     )
     secant: Array = quantity("speed", "variant", unit="N/m", label="secant stiffness at full load")
     axial_load: Array = quantity(*ALONG, unit="N", label="axial load", absent=(WITHOUT_FULL_MODEL,))
