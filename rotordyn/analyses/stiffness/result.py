@@ -21,7 +21,7 @@ class StiffnessResult:
     Loads of bearings (axial ones in their own frames, x loads the balls) and where balls lose their
     contact are those along the curve of the full bearing model; balls count from 1 and the
     azimuth from y towards z of the spindle; of two balls that are mirror images one is named.
-    ``stop_speed``: on both sides of each speed at which a stop is met, where curves bend or jump.
+    ``stop_speed``: on both sides of each speed at which a stop closes, where curves bend or jump.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
@@ -29,7 +29,7 @@ class StiffnessResult:
     force: Array = coordinate("force", unit="N", label="radial force")
     bearing: Words = coordinate("bearing", unit="", label="bearing")
     stop_speed: Array = coordinate(
-        "stop_speed", unit="rad/s", label="speed beside that at which a stop is met"
+        "stop_speed", unit="rad/s", label="speed beside that at which a stop closes"
     )
     outcome: Words = quantity("speed", unit="", label="outcome")
     deflection: Array = quantity("speed", "variant", "force", unit="m", label="deflection")
@@ -38,8 +38,8 @@ class StiffnessResult:
         "stop_speed",
         "variant",
         unit="N/m",
-        label="tangent stiffness where a stop is met",
-        absent=(Absence("of other stops, which are met elsewhere", by=("variant",)),),
+        label="tangent stiffness where a stop closes",
+        absent=(Absence("of other stops, which close elsewhere", by=("variant",)),),
     )
     secant: Array = quantity("speed", "variant", unit="N/m", label="secant stiffness at full load")
     axial_load: Array = quantity(*ALONG, unit="N", label="axial load", absent=(WITHOUT_FULL_MODEL,))
@@ -70,7 +70,7 @@ class StiffnessResult:
     @property
     def curves(self) -> tuple[Array, Array]:
         """Tangents over all speeds (speeds + stop speeds,) and (…, variants), ascending; those of
-        other stops are interpolated where a stop of the machine is met."""
+        other stops are interpolated where a stop of the machine closes."""
         speed = np.concatenate([self.speed, self.stop_speed])
         between = [np.interp(self.stop_speed, self.speed, column) for column in self.tangent.T]
         at_stops = np.where(np.isnan(self.stop_tangent), np.transpose(between), self.stop_tangent)

@@ -47,7 +47,7 @@ def stiffness_figure(
     names = [name.replace("_", " ") for name in result.variant]
     draw_columns(axes, rpm, tangent * STIFFNESS.factor, names)
     for k, closing in enumerate(result.stop_speed[::2]):
-        axes.axvline(float(closing * RPM.factor), label="" if k else "a stop is met", **STOP)
+        axes.axvline(float(closing * RPM.factor), label="" if k else "a stop closes", **STOP)
     colours = {name: CYCLE[k % len(CYCLE)] for k, name in enumerate(result.variant)}
     mark_few_points(axes)
     draw_references(
