@@ -31,7 +31,7 @@ from rotordyn.modes.branches import (
 from rotordyn.modes.character import across, whirl_along
 from rotordyn.modes.excitation import Line, excited_by, exciting
 from rotordyn.modes.names import named
-from rotordyn.modes.roots import Start, State, solved
+from rotordyn.modes.roots import Start, State, rounded, solved
 from rotordyn.numerics.crossing import zero_crossings
 from rotordyn.numerics.follow import mac
 from rotordyn.numerics.synchronous import synchronous
@@ -92,7 +92,8 @@ def critical_speeds(
     for start, speed, state in solved(scene, branches, starts):
         oscillates = -state.pole.real <= RESONANT * abs(state.pole)
         within = abs(state.pole.imag) <= (1.0 + ROUNDING) * highest
-        repeated = any(_same(start, speed, state, other) for other in crossings)
+        within_rounding = max(SAME, rounded(scene, branches[start.branch]))
+        repeated = any(_same(start, speed, state, other, within_rounding) for other in crossings)
         if repeated or not (oscillates and within):
             continue
         crossings.append((start, speed, state))
@@ -206,12 +207,14 @@ def _owner(branches: Sequence[Branch], subsystem: int, speed: float, state: Stat
     return owner
 
 
-def _same(start: Start, speed: float, state: State, other: tuple[Start, float, State]) -> bool:
+def _same(
+    start: Start, speed: float, state: State, other: tuple[Start, float, State], rounding: float
+) -> bool:
     """True if two searches ended in one root."""
     other_start, other_speed, other_state = other
     return bool(
         other_start.line == start.line
-        and abs(speed - other_speed) <= SAME * other_speed
+        and abs(speed - other_speed) <= rounding * other_speed
         and len(other_state.vector) == len(state.vector)
         and mac(other_state.vector[:, None], state.vector[:, None])[0, 0] > ALIKE
     )

@@ -26,6 +26,7 @@ from rotordyn.scene.scene import Scene
 ITERATIONS = 20  # secants, at most
 CLOSE = 1e-11  # of the frequency: the condition holds
 ROUNDED = 1e-7  # likewise, where no other speed is closer; more is no root in the range
+CHANCE = 3.0  # times the rounding of a frequency: misses as large are due to it
 NEARNESS = 2.0  # of the MAC that a distance as large as the frequency costs
 CLEAR = 0.7  # MAC, less that, from which it is no other mode
 
@@ -76,7 +77,7 @@ def solved(
             if abs(state.miss) <= CLOSE * abs(state.pole):
                 done.append((starts[k], float(at[k]), state))
                 continue
-            if abs(state.miss) <= ROUNDED * abs(state.pole):
+            if abs(state.miss) <= rounded(scene, branches[starts[k].branch]) * abs(state.pole):
                 nearest[k] = starts[k], float(at[k]), state
             next_speed = _next(starts[k], float(at[k]), state.miss)
             starts[k] = replace(
@@ -93,6 +94,13 @@ def solved(
         if not open_:
             break
     return done + [nearest[k] for k in open_ if k in nearest]  # where rounding keeps secants moving
+
+
+def rounded(scene: Scene, branch: Branch) -> float:
+    """Return how exactly a followed mode meets a line, over its frequency, by rounding."""
+    rows = np.flatnonzero(branch.column >= 0)
+    error = scene.system(branch.subsystem).rounding[rows, branch.column[rows]]
+    return max(ROUNDED, CHANCE * float(np.nanmax(error, initial=0.0)))
 
 
 def _next(start: Start, at: float, miss: float) -> float:

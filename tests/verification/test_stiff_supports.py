@@ -4,6 +4,7 @@ none of them is taken for a free one."""
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -131,3 +132,20 @@ def test_critical_speeds_and_orbits_are_those_of_a_rigid_support(stiff: float, s
     there = np.abs(rigid["unbalance"].displacement[1:])
     apart = np.abs(np.abs(stiffened["unbalance"].displacement[1:]) / there - 1.0)
     assert apart.max() < 20.0 * max(allowed, 1e-9 * 1e6 / soft)
+
+
+@pytest.mark.parametrize("stiff", [1e16, 3e17, 1e18, 1e20])
+def test_critical_speeds_by_rounding_are_as_exact_as_frequencies(stiff: float) -> None:
+    """Very stiff supports of damped machines are not set apart: none is lost, none twice."""
+    shaft = Shaft(0.0, (Section(LENGTH, DIAMETER, 0.0, STEEL),))
+    disc, damping = Disc("d", 0.25, 0.2, 0.05, 0.02, STEEL), {("y", "y"): 1e3, ("z", "z"): 1e3}
+    soft = replace(spring("b", 0.4, 1e6), damping=damping)
+    rpm = np.linspace(0.0, 10000.0, 11).tolist()
+    found = []
+    for first in (LinearSupport("a", 0.05, rigid=("y", "z")), spring("a", 0.05, stiff)):
+        machine = Spindle("s", shaft, discs=(disc,), supports=(first, soft))
+        found.append(answers(machine, rpm, {"campbell": CampbellSpec(2000.0)})["campbell"])
+    rigid, stiffened = found
+    assert len(stiffened.critical_speed) == len(rigid.critical_speed) == 2
+    error = 10.0 * np.nanmax(stiffened.frequency_error)
+    assert stiffened.critical_speed == pytest.approx(rigid.critical_speed, rel=error)
