@@ -188,7 +188,7 @@ def _forget_nulls(bearing: Node) -> None:
 def bearing_of_seat(seat: Node, reader: Reader, shared: Node | None = None) -> None:
     """Fill in the model of a bearing on the shaft, with its overrides and ``shared`` ones."""
     override = merged(shared, seat.child("model_override"))
-    if override is not None:
+    if override is not None and isinstance(seat.value, dict):
         seat.value["model_override"] = override
     if (reference := seat.child("model")) is not None:
         model = bearing(reference, seat.entries("model_override"), reader)
