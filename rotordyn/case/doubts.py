@@ -38,7 +38,7 @@ def unstated_hypotheses(case: Case) -> str:
     """Return a note on hypotheses on the balls that the case leaves to their defaults, although its
     results depend on them; empty if there are none.
 
-    In Python a hypothesis that equals its default counts as not stated."""
+    In Python a hypothesis of new Conditions that equals its default counts as not stated."""
     given, usual = case.conditions, Conditions()
     spindle, top = case.spindle, case.speeds[-1]
     if spindle is None or given.bearings == "static" or given.dynamics == "frozen":

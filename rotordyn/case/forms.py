@@ -255,11 +255,15 @@ def in_python(annotation: Any, value: object) -> Any:
     set_paths(node)
     found = None
     with suppress(TooManyFaults):
-        found = Reading(files, FORMS, accept).value(annotation, node)
+        found = Reading(files, FORMS, _accepted).value(annotation, node)
     for fault in files.faults.reported:
         place = f".{fault.path}" if fault.path and not fault.file else ""
         raise Refused(str(fault) if fault.file else fault.message, place)
     return found
+
+
+def _accepted(annotation: Any, value: object) -> Any:
+    return accept(annotation, Node(value, "", 0, 0).plain())
 
 
 def _written(value: object, depth: int = 0) -> Node:

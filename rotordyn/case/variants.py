@@ -12,6 +12,7 @@ from rotordyn.case.override import apply
 from rotordyn.case.varied import IN_FILES, from_top, turn_of
 
 _MERGED = ("override", "references")
+SHARED = ("speeds", "analyses")  # of the case, with all variants
 
 
 def tools_compared(root: Node, faults: Faults) -> Node:
@@ -44,6 +45,8 @@ def from_the_top(root: Node, faults: Faults) -> Node:
         override = holder.entries("override")
         for path in sorted(override, key=turn_of):
             value, whole = override.pop(path), from_top(path, "spindle" in root.value, IN_FILES)
+            if holder is not tree and whole.partition(".")[0] in SHARED:
+                faults.at_key(value, "variants share the speeds and analyses of the case")
             if whole in override:
                 given = whole.partition(".")
                 why = f"given twice: '{given[2]}', with and without '{given[0]}.' before it"

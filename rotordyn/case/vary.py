@@ -47,6 +47,7 @@ from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.tool import Tool
 from rotordyn.quantity import Choice, suggestion
+from rotordyn.scene.conditions import HYPOTHESES, Conditions
 
 D = TypeVar("D")
 K = TypeVar("K")
@@ -210,6 +211,8 @@ def _fields(old: Any, changes: Sequence[_Change]) -> Any:
     if isinstance(arrangement := new.get("arrangement"), BearingSet):
         turned = arrangement.turned(old.seats)
         new["seats"] = _value(fields["seats"].annotation, turned, groups.setdefault("seats", []))
+    if isinstance(old, Conditions):
+        new["stated"] = (*old.stated, *(key for key in HYPOTHESES if key in groups))
     made = _made(partial(replace, old), new, changes)
     for name in groups:
         result = getattr(made, name)

@@ -202,6 +202,11 @@ def kind_of_model(case: Case, path: str) -> Any:
 
 def _taken(case: Case, path: str, value: object) -> tuple[Any, Quantity | None]:
     """``value`` as the case stores it, and its quantity; rules between fields are not checked."""
+    if isinstance(value, Mapping):
+        raise InvalidInput(
+            f"{path}: a mapping is no value of a study: vary what is in it, "
+            f"such as {path}.{next(iter(value), 'name')}"
+        )
     places = found_at(case, path, absent=True)
     if not places:
         vary(case, {path: value})  # raises with the part of the path that does not exist

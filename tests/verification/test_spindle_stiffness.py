@@ -18,6 +18,7 @@ from rotordyn.analyses.preload.spec import PreloadSpec
 from rotordyn.analyses.stiffness.solve import solve as stiffness_answer
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.analyses.stiffness.summary import summary as stiffness_summary
+from rotordyn.analyses.stiffness.summary import warnings as stiffness_warnings
 from rotordyn.equation.mesh import build_mesh
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.shaft import Section, Shaft
@@ -384,3 +385,21 @@ def test_a_second_stop_is_drawn_straight_where_the_first_is_met() -> None:
     speed, tangent = result.curves
     line = np.interp(speed, result.speed, result.tangent[:, 1])
     assert tangent[:, 1] == pytest.approx(line)
+
+
+def test_a_sleeve_at_its_stop_from_rest_on_closes_none() -> None:
+    spec = {"stiffness": StiffnessSpec("Oc2", 500.0, 1, ("full",))}
+    resting = with_sleeve(mfw2310(), "front", stop_travel=0.0)
+    assert answers(resting, (0, 6000), spec)["stiffness"].stop_speed.size == 0
+
+
+def test_a_machine_that_is_unstable_where_a_stop_closes_is_warned_of() -> None:
+    """Its curve breaks there: no straight line leads across."""
+    spec = {"stiffness": StiffnessSpec("Oc2", 500.0, 1, ("full",))}
+    ways = {("y", "y"): -168e6, ("z", "z"): -168e6}
+    machine = replace(mfw2310(), supports=(LinearSupport("pull", 0.0, ways),))
+    result = answers(machine, (0, 18000, 24000), spec)["stiffness"]
+    assert (result.tangent > 0.0).all()
+    assert np.isnan(result.curves[1][2:4]).all()
+    (said,) = stiffness_warnings(result)
+    assert said.startswith("stiffness: full has no stable state at 20402 rpm, where a stop closes")

@@ -11,6 +11,7 @@ from rotordyn.results.declaration import Absence, coordinate, quantity
 
 ALONG = ("speed", "force", "bearing")
 WITHOUT_FULL_MODEL = Absence("without the full bearing model")
+SHORT_STOP = "short_stop"  # variant with the other travels of ``second_stop``
 NONE = Absence("where no ball is unloaded", beside="unloading_force")
 
 
@@ -39,7 +40,12 @@ class StiffnessResult:
         "variant",
         unit="N/m",
         label="tangent stiffness where a stop closes",
-        absent=(Absence("of other stops, which close elsewhere", by=("variant",)),),
+        absent=(
+            Absence(
+                "of other stops, which close elsewhere, and without a stable state",
+                by=("stop_speed", "variant"),
+            ),
+        ),
     )
     secant: Array = quantity("speed", "variant", unit="N/m", label="secant stiffness at full load")
     axial_load: Array = quantity(*ALONG, unit="N", label="axial load", absent=(WITHOUT_FULL_MODEL,))
@@ -73,6 +79,7 @@ class StiffnessResult:
         other stops are interpolated where a stop of the machine closes."""
         speed = np.concatenate([self.speed, self.stop_speed])
         between = [np.interp(self.stop_speed, self.speed, column) for column in self.tangent.T]
-        at_stops = np.where(np.isnan(self.stop_tangent), np.transpose(between), self.stop_tangent)
+        other = np.array([name == SHORT_STOP for name in self.variant], dtype=bool)
+        at_stops = np.where(other, np.transpose(between), self.stop_tangent)
         order = np.argsort(speed, kind="stable")
         return speed[order], np.concatenate([self.tangent, at_stops])[order]

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.stiffness.radial_curve import RadialCurve, Words, radial_curve
-from rotordyn.analyses.stiffness.result import StiffnessResult
+from rotordyn.analyses.stiffness.result import SHORT_STOP, StiffnessResult
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.arrays import Array, Indices
 from rotordyn.description import unchecked
@@ -31,7 +31,6 @@ from rotordyn.scene.scene import Scene
 UNIT = np.array([0.0, 1.0, 0.0, 0.0, 0.0, 0.0])  # [N] along y
 REACHED = 1e-12  # m
 ASIDE = 2e-3  # rad/s from a speed at which a stop is met: it is open below, closed above
-SHORT_STOP = "short_stop"
 FALLS = (
     "the negative stiffness of a support exceeds the stiffness of bearings and other supports: "
     "lower it, or support the shaft more stiffly"
@@ -103,7 +102,7 @@ def _at_stops(scene: Scene, spec: StiffnessSpec, count: int) -> tuple[Array, Arr
     closing = scene.stop_speeds[np.isfinite(scene.stop_speeds)]
     sides = np.unique(np.concatenate([closing - ASIDE, closing + ASIDE]))
     first, last = scene.speed[scene.usable[[0, -1]]]
-    sides = sides[(sides > first) & (sides < last)]
+    sides = sides[(sides > first + ASIDE) & (sides < last - ASIDE)]  # between the speeds
     if not sides.size:
         return sides, np.zeros((0, count))
     there, tangent = scene.at(sides), np.full((sides.size, count), np.nan)

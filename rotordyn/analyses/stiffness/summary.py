@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from rotordyn.analyses.stiffness.result import StiffnessResult
+from rotordyn.analyses.stiffness.result import SHORT_STOP, StiffnessResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM, STIFFNESS
 from rotordyn.results.headline import Number, each_speed
@@ -31,7 +31,27 @@ def numbers(result: StiffnessResult, _: Described) -> Iterator[Number]:
 
 
 def warnings(result: StiffnessResult) -> list[str]:
-    """Warnings of bearings in which the radial force unloads a ball."""
+    """Warnings of stops beside which there is no state, and of bearings in which the radial force
+    unloads a ball."""
+    return [*_lost_at_stops(result), *_unloaded(result)]
+
+
+def _lost_at_stops(result: StiffnessResult) -> list[str]:
+    """Return a warning of variants without a stable state where a stop closes."""
+    own = [k for k, name in enumerate(result.variant) if name != SHORT_STOP]
+    lost = np.argwhere(np.isnan(result.stop_tangent[:, own]))
+    if not lost.size:
+        return []
+    row, column = lost[0]
+    return [
+        f"stiffness: {result.variant[own[column]].replace('_', ' ')} has no stable state at "
+        f"{result.stop_speed[row] * RPM.factor:.0f} rpm, where a stop closes between the speeds of "
+        "the case: add speeds there, or support the shaft more stiffly"
+    ]
+
+
+def _unloaded(result: StiffnessResult) -> list[str]:
+    """Return a warning of bearings in which the radial force unloads a ball."""
     force = result.unloading_force
     if not np.isfinite(force).any():
         return []

@@ -76,3 +76,11 @@ def test_the_note_stands_in_summary_and_notes(tmp_path: Path) -> None:
 
 def test_flagship_states_its_hypotheses() -> None:
     assert unstated_hypotheses(rotordyn.load("mfw2310")) == ""
+
+
+def test_hypotheses_that_vary_gives_are_stated(tmp_path: Path) -> None:
+    case = written(tmp_path, "")
+    assert BOTH in unstated_hypotheses(case)
+    one = rotordyn.vary(case, {"conditions.kinematics": "hybrid"})
+    assert "conditions.moment_sharing is not stated" in unstated_hypotheses(one)
+    assert not unstated_hypotheses(rotordyn.vary(one, {"conditions.moment_sharing": "equal"}))

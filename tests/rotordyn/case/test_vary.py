@@ -468,3 +468,11 @@ def test_an_item_without_a_name_goes_by_its_place(tmp_path: Path) -> None:
     assert rotordyn.load(file).spindle.rotor_damping == (0.05, 0.04, 0.05)
     with pytest.raises(InvalidInput, match=r"unknown number '4'.*from 1 to 3"):
         case.vary({"spindle.damping.rotor.4": 0.1})
+
+
+def test_a_mapping_is_printed_as_it_was_given() -> None:
+    case = rotordyn.load("grinding_spindle")
+    with pytest.raises(InvalidInput) as refused:
+        rotordyn.vary(case, {"conditions.kinematics": {"a": 1}})
+    assert "{'a': 1}" in str(refused.value)
+    assert "Node" not in str(refused.value)

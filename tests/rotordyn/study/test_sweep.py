@@ -838,3 +838,10 @@ def test_numbers_without_bound_are_the_largest(case: Case) -> None:
     assert " ".join(line.split()) == ends
     alone = {k: Outcome(k, {"limit": (math.inf, "mm")}) for k in range(2)}
     assert "limit [mm]  unbounded  unbounded" in summary(study, alone)
+
+
+def test_a_mapping_is_no_value_of_a_study(case: Case) -> None:
+    """Tables and best.yaml name values by a word, which a mapping has not."""
+    springs = [{"preload": "500 N", "stiffness": "5 N/um"}, {"preload": "600 N"}]
+    with pytest.raises(InvalidInput, match=r"vary what is in it, such as .*spring\.preload"):
+        sweep(case, {"sleeves.*.spring": springs})
