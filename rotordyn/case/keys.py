@@ -347,9 +347,6 @@ COMMON: dict[type, tuple[Common, ...]] = {
 }
 
 
-fields_of = declared  # for vary and varied
-
-
 @cache
 def keys_of(kind: Any) -> tuple[Field, ...]:
     """All keys of a file, or of a mapping in it, that is read as this kind of description."""

@@ -9,7 +9,7 @@ from itertools import chain
 from typing import Annotated, Any
 
 from rotordyn.case.case import Case
-from rotordyn.case.keys import COMMON, Common, fields_of
+from rotordyn.case.keys import COMMON, Common
 from rotordyn.description import quantity_of
 from rotordyn.field import declared, found_in, kinds_of, metadata, parts_of
 from rotordyn.machine.matrix import Matrix, entry_name
@@ -114,7 +114,7 @@ def reached(
     common = common_at(value, steps)
     below = [*_below(value, annotation)]
     if absent and value is None:
-        fields = [field for kind in kinds_of(annotation) for field in fields_of(kind)]
+        fields = [field for kind in kinds_of(annotation) for field in declared(kind)]
         below = [(field.keys, None, field.annotation) for field in fields if field.keys]
     for ahead in [steps] if common is None else ways_of_items(value, common, steps):
         for way, inner, inside in below:
@@ -128,8 +128,8 @@ def _below(value: Any, annotation: Any) -> Iterator[tuple[tuple[str, ...], Any, 
     """Yield path, value and annotation of all parts of a value."""
     if is_dataclass(value):
         kind: Any = type(value)
-        keys = {field.keys for field in fields_of(kind)}
-        for field in fields_of(kind):
+        keys = {field.keys for field in declared(kind)}
+        for field in declared(kind):
             way = field.keys or (field.name,)
             if field.name and (field.keys or way not in keys):  # no key is called as another is
                 yield way, getattr(value, field.name), field.annotation

@@ -15,7 +15,7 @@ from rotordyn.analyses.registry import analysis, names
 from rotordyn.case.arranged import CLASSES
 from rotordyn.case.case import ByName, Case
 from rotordyn.case.deeper import deeper
-from rotordyn.case.keys import COMMON, fields_of, keys_of
+from rotordyn.case.keys import COMMON, keys_of
 from rotordyn.case.varied import (
     Steps,
     called,
@@ -196,7 +196,7 @@ def _taken(annotation: Any, change: _Change) -> Any:
 
 
 def _fields(old: Any, changes: Sequence[_Change]) -> Any:
-    fields = {field.name: field for field in fields_of(old.__class__)}
+    fields = {field.name: field for field in declared(old.__class__)}
     if isinstance(old, Case):
         changes = _clamped(old, fields["tool"], changes)
     of_model: dict[str, Any] = {}
@@ -360,14 +360,14 @@ def _clamped(case: Case, field: Field, changes: Sequence[_Change]) -> Sequence[_
 @cache
 def _ways(kind: Any) -> dict[Steps, str]:
     """Fields of a description by the steps that lead to them."""
-    fields = fields_of(kind)
+    fields = declared(kind)
     ways = {(field.name,): field.name for field in fields if not field.keys}
     return ways | {field.keys: field.name for field in fields if field.keys}
 
 
 def _keys(kind: type) -> list[str]:
     """First keys of a description that files have, and those that paths may name besides."""
-    fields = fields_of(kind)
+    fields = declared(kind)
     named = [field.name for field in fields if not field.keys and field.name in NO_KEYS]
     return [*(field.keys[0] for field in fields if field.keys), *named]
 

@@ -15,12 +15,12 @@ from rotordyn.results.text import over_speed, unbroken
 
 
 def summary(result: StiffnessResult) -> list[str]:
-    """Tangent stiffness by bearing model over speed."""
+    """Tangent stiffness by bearing model over speed; models with equal values together."""
     speed, tangent = result.curves
-    values = ", ".join(
-        unbroken(f"{name.replace('_', ' ')} {over_speed(values, speed)}")
-        for name, values in zip(result.variant, tangent.T * STIFFNESS.factor, strict=True)
-    )
+    names: dict[str, list[str]] = {}
+    for name, values in zip(result.variant, tangent.T * STIFFNESS.factor, strict=True):
+        names.setdefault(over_speed(values, speed), []).append(name.replace("_", " "))
+    values = ", ".join(unbroken(f"{', '.join(alike)} {text}") for text, alike in names.items())
     return [f"stiffness  radial, tangent [N/µm] {values}"]
 
 

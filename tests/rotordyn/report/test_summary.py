@@ -194,8 +194,11 @@ def test_warnings_that_a_screen_leaves_out_are_counted(case, results):
     assert shown[5:7] == ["WARNING: number 5", "WARNING: 3 more in summary.txt"]
     assert shown[7].startswith(case.name)
     assert text.count("WARNING: ") == 9
-    few = summary(case, results, said[:5])
+    room = 60 - len(summary(case, results).splitlines())
+    assert 0 < room < 6
+    few, many = (summary(case, results, said[:count]) for count in (room, room + 1))
     assert on_screen(few, Path("summary.txt")) == few
+    assert on_screen(many, Path("summary.txt")).endswith("… and 2 more lines in summary.txt")
 
 
 def test_published_frequencies_meet_the_modes_in_order(text):
