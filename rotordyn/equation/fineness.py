@@ -57,12 +57,18 @@ class Fineness:
     ``spin`` [rad/s]: highest speed. ``accuracy`` None: standard elements between the nodes of the
     mesh, whatever their error. ``finer``: steps beyond that; each is one degree more in every
     element, or half the length of standard ones, and a cut-off ``FINER`` times as high.
+    A ``frequency`` of 0 is a shaft at rest, of elements between all nodes shown.
     """
 
     frequency: float
     spin: float = 0.0
     accuracy: float | None = None
     finer: int = 0
+
+    @property
+    def static(self) -> bool:
+        """True of a shaft at rest: nodes at which elements of cylinders are exact are all shown."""
+        return self.frequency == 0.0
 
     @property
     def band(self) -> float:

@@ -7,13 +7,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from rotordyn.arrays import Array, Flags
-from rotordyn.equation.assemble import assemble
+from rotordyn.arrays import Array
 from rotordyn.equation.dofs import DIRECTIONS, position
 from rotordyn.equation.seat import BEARING_DIRECTIONS
-from rotordyn.equation.structure import Structure
 from rotordyn.equation.support import node_matrix
-from rotordyn.equation.term import State
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 
@@ -37,34 +34,6 @@ def length_scale(spindle: Spindle) -> Array:
     """Return factors from the six displacements of a node to lengths: the shaft's length (6,)."""
     length = spindle.shaft.end - spindle.shaft.start
     return np.array([1.0, 1.0, 1.0, length, length, length])
-
-
-def rigidly_held(spindle: Spindle) -> Flags:
-    """Return which directions are held rigidly (connections, 6); dampers hold none."""
-    held = np.zeros((len(spindle.connections), 6), dtype=bool)
-    for row, support in zip(held[len(spindle.seats) :], spindle.supports, strict=False):
-        row[[position(direction) for direction in support.rigid]] = True
-    return held
-
-
-def held_stiffness(structure: Structure, state: State) -> Array:
-    """Return the stiffness of all that is not rigid (s, 6 × connections, 6 × connections).
-
-    Sleeves and housings are condensed, in series; sleeves do not tilt.
-    """
-    state = state._replace(standing=True)
-    links, states = structure.connections, len(state.speed)
-    blocks = np.zeros((states, len(links), 6, len(links), 6))
-    for k, link in enumerate(links):
-        blocks[:, k, :, k] = link.matrices(state).stiffness
-    flat = blocks.reshape(states, 6 * len(links), 6 * len(links))
-    bodies = [component for component in structure.components if component.spindle is None]
-    if not bodies:
-        return flat
-    linear = assemble(structure, bodies, state)
-    motions = [link.motions @ linear.moved(link.dofs) for link in links]
-    rows = np.concatenate([np.zeros((0, linear.size)), *motions])
-    return np.asarray(flat - flat @ rows @ np.linalg.solve(linear.stiffness, rows.T @ flat))
 
 
 def unrestrained_motions(spindle: Spindle) -> Array:

@@ -1,7 +1,9 @@
-"""Section forces of a straight shaft under point loads and line loads, from equilibrium alone.
+"""Section forces of a shaft under point loads and line loads, from equilibrium alone.
 
 The shaft is cut; the part behind the cut acts on the part in front with the sum of all loads behind
-it, moments about the centre of the section. No stiffness enters.
+it, moments about the displaced centre of the section. No stiffness enters.
+
+Theory: docs/theory/statics.md.
 """
 
 from __future__ import annotations
@@ -36,14 +38,31 @@ def section_forces(x: Array, point: Array, line: Array) -> SectionForces:
     h = np.diff(x)[:, None]
     start, end = line[..., 0, :], line[..., 1, :]
     resultant, arm = (start + end) * h / 2.0, (start + 2.0 * end) * h / 6.0
-    force_rear = behind(point[..., 1:, :3]) + point[..., 1:, :3] + behind(resultant)
+    force_rear = _behind(point[..., 1:, :3]) + point[..., 1:, :3] + _behind(resultant)
     force_front = force_rear + resultant
     gain = h * _lever(force_rear) + h * _lever(arm)
-    moment_rear = behind(point[..., 1:, 3:]) + point[..., 1:, 3:] + behind(gain)
+    moment_rear = _behind(point[..., 1:, 3:]) + point[..., 1:, 3:] + _behind(gain)
     return SectionForces(
         np.concatenate([force_front, moment_rear + gain], axis=-1),
         np.concatenate([force_rear, moment_rear], axis=-1),
     )
+
+
+def on_deformed(
+    forces: SectionForces, axial: Array, bent: Array, pulled: Array, length: Array
+) -> SectionForces:
+    """Return section ``forces`` of the straight shaft as those of the bent one: the axial force N
+    acts with its displacement as lever arm, dMz/dx = −(Ty − N v′) and dMy/dx = Tz − N w′.
+
+    ``axial`` N (…, elements) [N], tension positive; ``bent`` (…, elements, 2): displacement along y
+    and z of rear ends from front ends; ``pulled`` (…, elements, 2): forces along y and z of a
+    drawbar that runs straight inside the shaft; ``length`` (elements,) [m].
+    """
+    y, z = np.moveaxis(axial[..., None] * bent + pulled * length[:, None], -1, 0)
+    zero = np.zeros_like(y)
+    couple = np.stack([zero, zero, zero, zero, z, -y], axis=-1)
+    rear = _behind(couple)
+    return SectionForces(forces.front + rear + couple, forces.rear + rear)
 
 
 def _lever(force: Array) -> Array:
@@ -51,7 +70,7 @@ def _lever(force: Array) -> Array:
     return np.stack([np.zeros_like(force[..., 0]), -force[..., 2], force[..., 1]], axis=-1)
 
 
-def behind(values: Array) -> Array:
+def _behind(values: Array) -> Array:
     """Return the sum over all later elements."""
     total = np.zeros_like(values)
     total[..., :-1, :] = np.cumsum(values[..., :0:-1, :], axis=-2)[..., ::-1, :]

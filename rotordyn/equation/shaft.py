@@ -185,23 +185,26 @@ class Shaft:
             yield deflection, np.stack([np.ones_like(x), x], axis=1)
             yield tilt, np.stack([np.zeros_like(x), np.ones_like(x)], axis=1)
 
-    def bent(self, way: str, x: Array) -> list[Rows]:
-        """Return deflection and tilt in a bending plane at stations ``x``, two rows a station; at a
-        joint those of the part in front."""
+    def displaced(self, way: str, x: Array) -> list[Rows]:
+        """Return displacements of stations ``x`` in the six directions by the DOF of a line, row
+        6 k + direction of station k; at a joint those of the part in front."""
+        if way not in PLANES:
+            moved = self._rows_at(way, x, lambda _, *of: rod.shapes(*of))
+            return [(6 * places + position(way), dofs, rows) for places, dofs, rows in moved]
 
         def both(*of: Any) -> Array:
-            shape = self._bending_shapes(*of)
-            return np.concatenate([shape.deflection, shape.rotation], axis=1)
+            shape, (_, signs) = self._bending_shapes(*of), PLANES[way]
+            return np.concatenate([shape.deflection, signs[1] * shape.rotation], axis=1)
 
-        return self._rows_at(way, x, both)
+        deflection, tilt = map(position, NAMES[way])
+        return [
+            (6 * (places // 2) + np.where(places % 2, tilt, deflection), dofs, rows)
+            for places, dofs, rows in self._rows_at(way, x, both)
+        ]
 
     def sloped(self, way: str, x: Array) -> list[Rows]:
         """Return the slopes v′ there, a row a station."""
         return self._rows_at(way, x, lambda *of: self._bending_shapes(*of).slope)
-
-    def moved(self, way: str, x: Array) -> list[Rows]:
-        """Return axial displacement or twist at stations ``x``, a row a station."""
-        return self._rows_at(way, x, lambda _, *of: rod.shapes(*of))
 
     def _bending_shapes(self, elements: Indices, degree: int, xi: Array) -> bending.Shapes:
         return bending.shapes(self.mesh.length[elements], self._phi[elements], degree, xi)
@@ -237,7 +240,7 @@ def _elements(spindle: Spindle, shown: Mesh, fine: Fineness) -> tuple[Mesh, Indi
     if fine.accuracy is None:
         mesh = divided(shown, np.full(shown.nodes - 1, 2**fine.finer, dtype=np.intp))
         return mesh, *np.ones((2, mesh.nodes - 1), dtype=np.intp)
-    coarse = station_mesh(spindle)
+    coarse = shown if fine.static else station_mesh(spindle)
     ratio = coarse.steepness
     wave = bending_wave(fine.band, fine.spin, *sections_at(spindle, coarse, ENDS)).max(axis=1)
     parts, degree = parts_and_degree(wave * coarse.length, fine.accuracy, ratio)

@@ -25,7 +25,7 @@ from rotordyn.equation.joint import joint_parts
 from rotordyn.equation.lumped import lumped_parts
 from rotordyn.equation.mesh import Mesh
 from rotordyn.equation.seat import seat_matrices
-from rotordyn.equation.shaft import PLANES, Rows, Shaft
+from rotordyn.equation.shaft import Rows, Shaft
 from rotordyn.equation.sleeve import Sleeves, springs
 from rotordyn.equation.squeeze_film import film_matrices
 from rotordyn.equation.support import matrices_of
@@ -326,16 +326,9 @@ class Structure:
     def motion(self, line: Line, component: Component) -> Array:
         """Return displacements of the shown nodes of a shaft by the coordinates of one of its
         components (nodes, 6, m), along one line of it."""
-        shaft, x = self.shafts[line.body], self.shown.of_rotors[line.body].x
-        motion = np.zeros((len(x), 6, component.size))
-        if line.way in PLANES:
-            names, signs = PLANES[line.way]
-            both = component.displaced(2 * len(x), shaft.bent(line.way, x))
-            for place, (name, sign) in enumerate(zip(names, signs, strict=True)):
-                motion[:, position(name)] = sign * both[place::2]
-        else:
-            motion[:, position(line.way)] = component.displaced(len(x), shaft.moved(line.way, x))
-        return motion
+        x = self.shown.of_rotors[line.body].x
+        rows = self.shafts[line.body].displaced(line.way, x)
+        return component.displaced(6 * len(x), rows).reshape(len(x), 6, -1)
 
 
 def _cut(part: Part, kept: np.ndarray) -> Part:

@@ -26,7 +26,8 @@ def summed(shape: tuple[int, int], parts: Iterable[Part], *, large: bool) -> Mat
         return total
     from scipy.sparse import coo_array
 
-    row, column, value = [], [], []
+    none = np.zeros(0, dtype=np.intp)
+    row, column, value = [none], [none], [np.zeros(0)]
     for rows, columns, blocks in parts:
         filled = blocks != 0.0
         row.append(np.broadcast_to(rows[..., :, None], blocks.shape)[filled])

@@ -16,9 +16,10 @@ from rotordyn.analyses.section_forces.spec import SectionForcesSpec
 from rotordyn.analyses.section_forces.static_loads import loaded_mesh, static_loads
 from rotordyn.arrays import Array
 from rotordyn.equation.mesh import Mesh
+from rotordyn.equation.static_equation import Acting
 from rotordyn.machine.inertia import mass_in_front
 from rotordyn.machine.spindle import Spindle
-from rotordyn.scene.at_rest import at_rest
+from rotordyn.scene.at_rest import at_rest, cut_forces
 from rotordyn.scene.linearity import departure, ring_displacements
 from rotordyn.scene.loads import TwistLimit
 from rotordyn.scene.scene import Scene
@@ -37,9 +38,9 @@ def solve(scene: Scene, spec: SectionForcesSpec) -> SectionForcesResult:
     mesh = loaded_mesh(spindle, spec, scene.conditions.element_length)
     loads = static_loads(spindle, mesh, spec, scene.conditions)
     speed = scene.speed[scene.usable]
-    point = loads.point + (speed**2)[:, None, None] * loads.turning
-    rest = at_rest(scene, mesh, point, loads.line)
-    forces, displacement, push = rest.forces, rest.moved, rest.push
+    acting = Acting(loads.point + (speed**2)[:, None, None] * loads.turning, loads.line)
+    (rest,) = at_rest(scene, mesh, [acting])
+    forces, displacement, push = cut_forces(scene, mesh, acting, rest), rest.moved, rest.push
     at_ends = np.stack([forces.front, forces.rear], axis=-2)
     departures = np.full((len(at_ends), len(spindle.connections)), np.nan)
     if spindle.seats:

@@ -10,12 +10,15 @@ Theory: docs/theory/statics.md#sag-and-runout-of-the-nose.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from rotordyn.analyses.static_sag.result import StaticSagResult
 from rotordyn.analyses.static_sag.spec import StaticSagSpec
-from rotordyn.arrays import Array, Complex
+from rotordyn.arrays import Array
 from rotordyn.equation.dofs import position
+from rotordyn.equation.static_equation import Acting
 from rotordyn.scene.at_rest import at_rest, weight
 from rotordyn.scene.conditions import gravity_vector
 from rotordyn.scene.scene import Scene
@@ -34,8 +37,13 @@ def solve(scene: Scene, spec: StaticSagSpec) -> StaticSagResult:
     spindle, mesh = scene.spindle, scene.mesh
     node, gauges = mesh.node_of(spindle.points[spec.point]), np.array(spec.gauges)
     down = spec.weight_of(scene.conditions)
-    displacement = at_rest(scene, mesh, *weight(spindle, mesh, down)).moved
-    per_eccentricity = [_rotating(scene, ring.bearing, node, gauges) for ring in spec.ring_runouts]
+    point, line = weight(spindle, mesh, down)
+    acting = [Acting(point[None], line)]
+    acting += [each for ring in spec.ring_runouts for each in _eccentric(scene, ring.bearing)]
+    displacement, *by_ring = (rest.moved for rest in at_rest(scene, mesh, acting))
+    on_bar = [_on_bar(moved[:, node], gauges) for moved in by_ring]
+    # y and z of the eccentricity are the real parts of e^(iψ) and −i e^(iψ)
+    per_eccentricity = [y - 1j * z for y, z in zip(on_bar[::2], on_bar[1::2], strict=True)]
     readings = np.zeros((len(displacement), len(gauges), len(per_eccentricity), 2), dtype=complex)
     for k, (ring, unit) in enumerate(zip(spec.ring_runouts, per_eccentricity, strict=True)):
         readings[:, :, k] = ring.runout * np.exp(1j * ring.angle) * unit
@@ -66,19 +74,14 @@ def solve(scene: Scene, spec: StaticSagSpec) -> StaticSagResult:
     )
 
 
-def _rotating(scene: Scene, bearing: str, node: int, gauges: Array) -> Complex:
-    """Complex displacement at the gauges (usable, gauges, 2), to be multiplied by e^(iψ), per
-    eccentricity of an inner ring along y at ψ = 0."""
-    mesh, supports = scene.mesh, scene.spindle.connections
-    ring = next(k for k, support in enumerate(supports) if support.name == bearing)
-    no_loads = np.zeros((mesh.nodes, 6)), np.zeros((mesh.nodes - 1, 2, 3))
-    parts = []
+def _eccentric(scene: Scene, bearing: str) -> Iterator[Acting]:
+    """Yield an inner ring that is eccentric by 1 m along y, and along z, without loads."""
+    mesh, connections = scene.mesh, scene.spindle.connections
+    ring = next(k for k, each in enumerate(connections) if each.name == bearing)
     for direction in DEFLECTION:
-        offset = np.zeros((len(scene.usable), len(supports), 6))
-        offset[:, ring, direction] = 1.0
-        parts.append(_on_bar(at_rest(scene, mesh, *no_loads, offset).moved[:, node], gauges))
-    # y and z of the eccentricity are the real parts of e^(iψ) and −i e^(iψ)
-    return np.asarray(parts[0] - 1j * parts[1])
+        offset = np.zeros((len(connections), 6))
+        offset[ring, direction] = 1.0
+        yield Acting(np.zeros((1, mesh.nodes, 6)), np.zeros((mesh.nodes - 1, 2, 3)), offset)
 
 
 def _slope(displacement: Array) -> Array:

@@ -1,0 +1,239 @@
+"""The shaft at rest, K u = f of all terms, with the forces r of links among the unknowns:
+
+    K u − Mᵀ r = f,    r + S (M u + e) = 0,    or M u + e = 0 where rigid
+
+K is the stiffness of bodies and of the axial force, S that of links over their relative motions
+M u, and e an offset between both sides of a link. However stiff a spring, no digits of the shaft
+are lost. Nodes of cylinders move as their exact solution; elements of cones are as fine as
+``ACCURACY`` requires.
+
+Theory: docs/theory/statics.md#equilibrium.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import accumulate, pairwise
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from rotordyn.arrays import Array, Indices
+from rotordyn.equation.axial_force import slope_rows
+from rotordyn.equation.dofs import position
+from rotordyn.equation.elements.polynomials import points
+from rotordyn.equation.fineness import Fineness
+from rotordyn.equation.mesh import Mesh
+from rotordyn.equation.shaft import NAMES, PLANES
+from rotordyn.equation.structure import Structure
+from rotordyn.equation.term import State
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import SPINDLE
+from rotordyn.numerics.sparse import Matrix, summed
+
+ACCURACY = 1e-9  # of cones
+GAUSS = 9  # degree up to which the work of line loads is integrated exactly
+LOST = 1e-6  # of the largest displacement or force: rounding errors above it are refused
+ROUNDING = 2.0**-52
+
+
+class Undetermined(Exception):
+    """Rounding errors dominate the solution at ``row`` of the states."""
+
+    def __init__(self, row: int) -> None:
+        super().__init__(row)
+        self.row = row
+
+
+class Acting(NamedTuple):
+    """Loads: on nodes ``point`` (states or 1, nodes, 6) [N, N·m], along elements ``line``
+    (elements, 2, 3) [N/m], at both ends and linear in between; ``offset`` (connections, 6) of
+    connections from the shaft [m, rad], as of an eccentric ring: each reacts to the sum of
+    displacement and offset."""
+
+    point: Array
+    line: Array
+    offset: Array | None = None
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class AtRest:
+    """``moved`` (states, nodes, 6): displacements of the shaft [m, rad], at a joint those of the
+    part in front; ``apart`` (states, elements, 6): additional displacement of the front end of an
+    element behind a joint; ``push`` (states, connections, 6): loads of connections on the shaft
+    [N, N·m]; ``pulled`` (states, elements, 2): force along y and z of a drawbar inside the shaft.
+    """
+
+    moved: Array
+    apart: Array
+    push: Array
+    pulled: Array
+
+
+class StaticEquation:
+    """The equation of a spindle's shaft with nodes of a ``mesh``, on its connections.
+
+    ``front`` (k, 6): combinations of the displacements of the front end that are zero, those that
+    nothing holds. ``rigid``: the shaft does not deform; ``drawbar``: its tension acts on bending.
+    """
+
+    def __init__(
+        self, spindle: Spindle, mesh: Mesh, front: Array, *, rigid: bool, drawbar: bool
+    ) -> None:
+        structure = Structure(spindle, mesh, Fineness(0.0, accuracy=ACCURACY), rigid=rigid)
+        self.structure, self.mesh, self.shaft = structure, mesh, structure.shafts[SPINDLE]
+        self.bars = structure.drawbar if drawbar else []
+        self.links = [*structure.connections, *structure.sleeve_springs, *self.bars]
+        ends = [0, *accumulate(len(link.motions) for link in self.links)]
+        self.parts = [slice(*ends[k : k + 2]) for k in range(len(self.links))]
+        self.rigid = np.zeros(ends[-1], dtype=bool)
+        rows = []
+        for link, part in zip(self.links, self.parts, strict=True):
+            self.rigid[part][list(link.rigid)] = True
+            rows.append((np.arange(part.start, part.stop), link.dofs, link.motions))
+        self.basis, self.stiffness = _rigid(structure) if rigid else _flexible(structure)
+        self.motions = self._by_coordinates(ends[-1], rows)
+        self.shown = self._displaced(mesh.x)
+        self.front = front @ self.shown[:6]
+
+    def _by_coordinates(self, count: int, rows: Sequence[Any]) -> Matrix:
+        shape = count, self.structure.dofs.count
+        return summed(shape, rows, large=True) @ self.basis
+
+    def _displaced(self, x: Array) -> Matrix:
+        """Return displacements of stations ``x`` by the coordinates (6 stations, n)."""
+        rows = [row for way in NAMES for row in self.shaft.displaced(way, x)]
+        return self._by_coordinates(6 * len(x), rows)
+
+    def solve(self, state: State, axial: Array | None, acting: Sequence[Acting]) -> list[AtRest]:
+        """Return the shaft under each of the loads ``acting`` at every state; ``axial`` (states,
+        elements) [N]: force on bending, tension positive.
+
+        Raises
+        ------
+        Undetermined : there is no solution at a state, or none beyond rounding
+        """
+        from scipy.sparse import block_array, csr_array, diags_array
+
+        n, held, states = self.motions.shape[1], len(self.front), len(state.speed)
+        loads = np.stack([np.broadcast_to(self._load(a), (states, n)) for a in acting], axis=-1)
+        offset = np.zeros((len(self.rigid), len(acting)))
+        for k, each in enumerate(acting):
+            if each.offset is not None:
+                offset[: each.offset.size, k] = each.offset.ravel()
+        unit = abs(self.stiffness).max() or 1.0  # forces over it are of the size of displacements
+        slopes = self._slopes() if axial is not None else []
+        solution = np.zeros((states, n + len(self.rigid), len(acting)))
+        for s, springs in enumerate(self._springs(state._replace(standing=True))):
+            stiffness = self.stiffness
+            for rows, element in slopes:
+                assert axial is not None
+                stiffness = stiffness + rows.T @ (diags_array(axial[s, element]) @ rows)
+            scale = unit / np.maximum(unit, np.abs(springs).max(axis=1, initial=0.0))
+            laws = np.where(self.rigid[:, None], unit * np.eye(len(springs)), scale * springs.T).T
+            inverse = np.where(self.rigid, 0.0, unit * scale)
+            matrix = block_array(
+                [
+                    [stiffness, -unit * self.motions.T, -unit * self.front.T],
+                    [csr_array(laws) @ self.motions, diags_array(inverse), None],
+                    [unit * self.front, None, csr_array((held, held))],
+                ]
+            )
+            right = np.concatenate([loads[s], -laws @ offset, np.zeros((held, len(acting)))])
+            solved = _solved(matrix.tocsc(), right, unit, n)
+            if solved is None:
+                raise Undetermined(s)
+            solution[s] = solved[: n + len(self.rigid)]
+        moved, force = solution[:, :n], unit * solution[:, n:]
+        return [self._at_rest(moved[..., k], force[..., k]) for k in range(len(acting))]
+
+    def _load(self, acting: Acting) -> Array:
+        """Return forces on the coordinates (states or 1, n)."""
+        mesh, (xi, weight) = self.mesh, points(GAUSS)
+        nodes = acting.point.reshape(len(acting.point), -1) @ self.shown
+        if not acting.line.any():
+            return np.asarray(nodes)
+        half = mesh.length[:, None] / 2.0
+        front, rear = (acting.line[:, None, k] for k in (0, 1))
+        force = np.zeros((*half.shape[:1], len(xi), 6))
+        force[..., :3] = (front + (1.0 + xi[:, None]) / 2.0 * (rear - front)) * weight[:, None]
+        force *= half[..., None]
+        along = self._displaced((mesh.middle[:, None] + half * xi).ravel())
+        return np.asarray(nodes + force.ravel() @ along)
+
+    def _springs(self, state: State) -> Array:
+        """Return the stiffness of all links over their motions (states, k, k)."""
+        stiffness = np.zeros((len(state.speed), len(self.rigid), len(self.rigid)))
+        for link, part in zip(self.links, self.parts, strict=True):
+            stiffness[:, part, part] = link.matrices(state).stiffness
+        return stiffness
+
+    def _slopes(self) -> list[tuple[Matrix, Indices]]:
+        """Return weighted slopes of both planes by the coordinates, and their elements."""
+        planes = (slope_rows(self.shaft, self.mesh, way) for way in PLANES)
+        return [(self._by_coordinates(len(element), rows), element) for rows, element in planes]
+
+    def _at_rest(self, moved: Array, force: Array) -> AtRest:
+        states, x, full = len(moved), self.mesh.x, moved @ self.basis.T
+        nodes = (moved @ self.shown.T).reshape(states, len(x), 6)
+        apart = np.zeros((states, len(x) - 1, 6))
+        for (node, name), dof in self.shaft.jump.items():
+            at = self.mesh.node_of(float(self.shaft.mesh.x[node]))
+            apart[:, at, position(name)] = self.structure.dofs.sign[dof] * full[:, dof]
+        connections = len(self.structure.connections)
+        push = force[:, : 6 * connections].reshape(states, connections, 6)
+        pulled = np.zeros((states, len(x) - 1, 2))
+        bar, last = self.structure.spindle.drawbar, self.parts[len(self.links) - len(self.bars) :]
+        contacts = bar.contacts if bar and self.bars else ()
+        for ends, part in zip(pairwise(contacts), last, strict=True):
+            low, high = map(self.mesh.node_of, ends)
+            pulled[:, low:high] = -force[:, None, part]
+        return AtRest(nodes, apart, push, pulled)
+
+
+def _flexible(structure: Structure) -> tuple[Matrix, Matrix]:
+    """Return all DOF as coordinates, (DOF, n), and the stiffness of bodies (n, n)."""
+    from scipy.sparse import eye_array
+
+    n = structure.dofs.count
+    blocks = [(p.rows, p.columns, p.blocks) for p in structure.parts if p.matrix == "stiffness"]
+    return eye_array(n, format="csr"), summed((n, n), blocks, large=True)
+
+
+def _rigid(structure: Structure) -> tuple[Matrix, Matrix]:
+    """Return the same of a rigid shaft, whose coordinates are rigid motions."""
+    from scipy.sparse import block_diag
+
+    ends, parts = 0, []
+    for c in structure.components:
+        parts.append((c.dofs, np.arange(ends, ends + c.size), c.vectors))
+        ends += c.size
+    stiffness = block_diag([c.stiffness for c in structure.components], format="csr")
+    return summed((structure.dofs.count, ends), parts, large=True), stiffness
+
+
+def _solved(matrix: Matrix, right: Array, unit: float, n: int) -> Array | None:
+    """Return the solution, of n displacements and then forces over ``unit``, refined once; None
+    where rounding errors dominate it.
+
+    These are the changes by a right-hand side whose rows change either way, by as much as their
+    terms round.
+    """
+    from scipy.sparse.linalg import splu
+
+    try:
+        factors = splu(matrix)
+    except RuntimeError:
+        return None
+    solution = factors.solve(right)
+    solution += factors.solve(right - matrix @ solution)
+    either_way = np.where(np.random.default_rng(1).random(len(right)) < 0.5, -1.0, 1.0)
+    rounded = ROUNDING * (abs(matrix) @ np.abs(solution) + np.abs(right))
+    error = np.abs(factors.solve(either_way[:, None] * rounded))
+    least = np.abs(right).max(axis=0) / unit
+    for part in (slice(n), slice(n, None)):
+        size = np.maximum(np.abs(solution[part]).max(axis=0, initial=0.0), least)
+        if not (error[part].max(axis=0, initial=0.0) <= LOST * size).all():
+            return None
+    return np.asarray(solution)
