@@ -108,16 +108,19 @@ class Shaft:
     def _bending_parts(self) -> Iterator[Part]:
         for n in np.unique(self.degree).tolist():
             chosen = np.flatnonzero(self.degree == n)
-            sections = sections_at(self.spindle, self.mesh, bending.quadrature(n)[0])
-            properties = (values[chosen] for values in sections)
-            shape = self.mesh.length[chosen], self._phi[chosen]
-            matrices = bending.beam_matrices(*shape, *properties, degree=n)
+            matrices = self._bending_matrices(chosen, n)
             (y, moves), (z, _) = self.rows("y", chosen), self.rows("z", chosen)
             matrix_of = {"mass": matrices.mass, "stiffness": matrices.stiffness}
             matrix_of["softening"] = matrices.translational_mass
             for (name, matrix), rows in product(matrix_of.items(), (y, z)):
                 yield Part(name, rows, rows, _in_dofs(moves, matrix))
             yield Part("gyroscopic", y, z, self.ratio * _in_dofs(moves, matrices.polar))
+
+    def _bending_matrices(self, chosen: Indices, degree: int) -> bending.PlaneBending:
+        sections = sections_at(self.spindle, self.mesh, bending.quadrature(degree)[0])
+        properties = (values[chosen] for values in sections)
+        shape = self.mesh.length[chosen], self._phi[chosen]
+        return bending.beam_matrices(*shape, *properties, degree=degree)
 
     @cached_property
     def _phi(self) -> Array:
@@ -126,14 +129,36 @@ class Shaft:
         return bending.shear_parameter(self.mesh.length, bend, shear)
 
     def _rod_parts(self) -> Iterator[Part]:
-        for direction, section in (("x", axial), ("thx", torsion)):
+        for way in ("x", "thx"):
             for n in np.unique(self.rod_degree).tolist():
                 chosen = np.flatnonzero(self.rod_degree == n)
-                properties = (values[chosen] for values in section(self.mesh, rod.quadrature(n)[0]))
-                mass, stiffness = rod.rod_matrices(self.mesh.length[chosen], *properties, degree=n)
-                rows, moves = self.rows(direction, chosen)
+                mass, stiffness = self._rod_matrices(way, chosen, n)
+                rows, moves = self.rows(way, chosen)
                 yield Part("mass", rows, rows, _in_dofs(moves, mass))
                 yield Part("stiffness", rows, rows, _in_dofs(moves, stiffness))
+
+    def _rod_matrices(self, way: str, chosen: Indices, degree: int) -> tuple[Array, Array]:
+        section = (axial if way == "x" else torsion)(self.mesh, rod.quadrature(degree)[0])
+        properties = (values[chosen] for values in section)
+        return rod.rod_matrices(self.mesh.length[chosen], *properties, degree=degree)
+
+    def springs(self, way: str) -> Iterator[tuple[Indices, Array, Array]]:
+        """Yield elements of a line as springs between their ends: DOF (e, k), motions (e, d, k) of
+        the rear end and inner DOF with the front end held, and stiffness (e, d, d) over these."""
+        for n in np.unique(self._degree(way)).tolist():
+            chosen = np.flatnonzero(self._degree(way) == n)
+            if way in PLANES:
+                stiffness, rigid = self._bending_matrices(chosen, n).stiffness, np.eye(2)
+            else:
+                stiffness, rigid = self._rod_matrices(way, chosen, n)[1], np.eye(1)
+            ends, own = len(rigid), stiffness.shape[1]
+            motions = np.tile(np.eye(own)[ends:], (len(chosen), 1, 1))
+            motions[:, :ends, :ends] = -rigid
+            if way in PLANES:
+                motions[:, 0, 1] = -self.mesh.length[chosen]
+            rows, moves = self.rows(way, chosen)
+            motions = motions if moves is None else motions @ moves
+            yield rows, motions, stiffness[:, ends:, ends:]
 
     def rows(self, way: str, elements: Indices) -> tuple[Indices, Array | None]:
         """Return DOF (e, k) of elements of one degree, those of the ends first, of joints last; and

@@ -1,21 +1,23 @@
-"""The shaft at rest, K u = f of all terms, with the forces r of links among the unknowns:
+"""The shaft at rest, K u = f of all terms, with the forces r of all springs among the unknowns:
 
-    K u − Mᵀ r = f,    r + S (M u + e) = 0,    or M u + e = 0 where rigid
+    G u − Mᵀ r = f,    r + S (M u + e) = 0,    or M u + e = 0 where rigid
 
-K is the stiffness of bodies and of the axial force, S that of links over their relative motions
-M u, and e an offset between both sides of a link. However stiff a spring, no digits of the shaft
-are lost. Nodes of cylinders move as their exact solution; elements of cones are as fine as
-``ACCURACY`` requires.
+Springs are the links, the elements of the shaft, of which M u is the motion of the rear end with
+the front end held, and what holds other bodies; S is their stiffness, e an offset between both
+sides of a link, G the stiffness by the axial force: K = G + Mᵀ S M. So neither stiff nor short
+springs take digits of others, and forces that equilibrium alone determines are exact to rounding.
+Nodes of cylinders move as their exact solution; elements of cones are as fine as ``ACCURACY``
+requires.
 
 Theory: docs/theory/statics.md#equilibrium.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import accumulate, pairwise
-from typing import Any, NamedTuple
+from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 
@@ -24,8 +26,9 @@ from rotordyn.equation.axial_force import slope_rows
 from rotordyn.equation.dofs import position
 from rotordyn.equation.elements.polynomials import points
 from rotordyn.equation.fineness import Fineness
+from rotordyn.equation.joint import joint_parts
 from rotordyn.equation.mesh import Mesh
-from rotordyn.equation.shaft import NAMES, PLANES
+from rotordyn.equation.shaft import NAMES, PLANES, Rows
 from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import State
 from rotordyn.machine.spindle import Spindle
@@ -34,7 +37,7 @@ from rotordyn.numerics.sparse import Matrix, summed
 
 ACCURACY = 1e-9  # of cones
 GAUSS = 9  # degree up to which the work of line loads is integrated exactly
-LOST = 1e-6  # of the largest displacement or force: rounding errors above it are refused
+LOST = 1e-6  # of the largest displacement or force: larger rounding errors are refused
 ROUNDING = 2.0**-52
 
 
@@ -71,6 +74,14 @@ class AtRest:
     pulled: Array
 
 
+class Springs(NamedTuple):
+    """Springs over ``motions`` (e, d, k) of ``dofs`` (e, k), of ``stiffness`` (e, d, d)."""
+
+    dofs: Indices
+    motions: Array
+    stiffness: Array
+
+
 class StaticEquation:
     """The equation of a spindle's shaft with nodes of a ``mesh``, on its connections.
 
@@ -83,23 +94,35 @@ class StaticEquation:
     ) -> None:
         structure = Structure(spindle, mesh, Fineness(0.0, accuracy=ACCURACY), rigid=rigid)
         self.structure, self.mesh, self.shaft = structure, mesh, structure.shafts[SPINDLE]
+        self.basis = _rigid_motions(structure) if rigid else None
         self.bars = structure.drawbar if drawbar else []
         self.links = [*structure.connections, *structure.sleeve_springs, *self.bars]
-        ends = [0, *accumulate(len(link.motions) for link in self.links)]
-        self.parts = [slice(*ends[k : k + 2]) for k in range(len(self.links))]
-        self.rigid = np.zeros(ends[-1], dtype=bool)
-        rows = []
-        for link, part in zip(self.links, self.parts, strict=True):
-            self.rigid[part][list(link.rigid)] = True
-            rows.append((np.arange(part.start, part.stop), link.dofs, link.motions))
-        self.basis, self.stiffness = _rigid(structure) if rigid else _flexible(structure)
-        self.motions = self._by_coordinates(ends[-1], rows)
+        moving = [(link.dofs[None], link.motions[None]) for link in self.links]
+        springs = [] if rigid else [each for way in NAMES for each in self._elements(way)]
+        springs += _holding(structure)
+        moving += [each[:2] for each in springs]
+        numbers, end = [], 0  # of the motions of each
+        for dofs, motions in moving:
+            start, end = end, end + len(dofs) * motions.shape[1]
+            numbers.append(np.arange(start, end).reshape(len(dofs), -1))
+        self.at = [at[0] for at in numbers[: len(self.links)]]
+        of_springs = zip(numbers[len(self.links) :], springs, strict=True)
+        laws = [(at, at, each.stiffness) for at, each in of_springs]
+        self.stiffness = summed((end, end), laws, large=True)
+        rows = [(at, *each) for at, each in zip(numbers, moving, strict=True)]
+        self.motions = self._by_coordinates(end, rows)
+        self.rigid = np.zeros(end, dtype=bool)
+        for at, link in zip(self.at, self.links, strict=True):
+            self.rigid[at[list(link.rigid)]] = True
         self.shown = self._displaced(mesh.x)
         self.front = front @ self.shown[:6]
 
-    def _by_coordinates(self, count: int, rows: Sequence[Any]) -> Matrix:
-        shape = count, self.structure.dofs.count
-        return summed(shape, rows, large=True) @ self.basis
+    def _elements(self, way: str) -> Iterator[Springs]:
+        return (Springs(*each) for each in self.shaft.springs(way))
+
+    def _by_coordinates(self, count: int, rows: Sequence[Rows]) -> Matrix:
+        by_dofs = summed((count, self.structure.dofs.count), rows, large=True)
+        return by_dofs if self.basis is None else by_dofs @ self.basis
 
     def _displaced(self, x: Array) -> Matrix:
         """Return displacements of stations ``x`` by the coordinates (6 stations, n)."""
@@ -116,27 +139,28 @@ class StaticEquation:
         """
         from scipy.sparse import block_array, csr_array, diags_array
 
-        n, held, states = self.motions.shape[1], len(self.front), len(state.speed)
+        (m, n), held, states = self.motions.shape, len(self.front), len(state.speed)
         loads = np.stack([np.broadcast_to(self._load(a), (states, n)) for a in acting], axis=-1)
-        offset = np.zeros((len(self.rigid), len(acting)))
+        offset = np.zeros((m, len(acting)))
         for k, each in enumerate(acting):
             if each.offset is not None:
                 offset[: each.offset.size, k] = each.offset.ravel()
         unit = abs(self.stiffness).max() or 1.0  # forces over it are of the size of displacements
         slopes = self._slopes() if axial is not None else []
-        solution = np.zeros((states, n + len(self.rigid), len(acting)))
+        solution = np.zeros((states, n + m, len(acting)))
         for s, springs in enumerate(self._springs(state._replace(standing=True))):
-            stiffness = self.stiffness
+            of_force = csr_array((n, n))
             for rows, element in slopes:
                 assert axial is not None
-                stiffness = stiffness + rows.T @ (diags_array(axial[s, element]) @ rows)
-            scale = unit / np.maximum(unit, np.abs(springs).max(axis=1, initial=0.0))
-            laws = np.where(self.rigid[:, None], unit * np.eye(len(springs)), scale * springs.T).T
+                of_force = of_force + rows.T @ (diags_array(axial[s, element]) @ rows)
+            scale = unit / np.maximum(unit, abs(springs).max(axis=1).toarray().ravel())
+            laws = diags_array(np.where(self.rigid, unit, 0.0))
+            laws = laws + diags_array(np.where(self.rigid, 0.0, scale)) @ springs
             inverse = np.where(self.rigid, 0.0, unit * scale)
             matrix = block_array(
                 [
-                    [stiffness, -unit * self.motions.T, -unit * self.front.T],
-                    [csr_array(laws) @ self.motions, diags_array(inverse), None],
+                    [of_force, -unit * self.motions.T, -unit * self.front.T],
+                    [laws @ self.motions, diags_array(inverse), None],
                     [unit * self.front, None, csr_array((held, held))],
                 ]
             )
@@ -144,7 +168,7 @@ class StaticEquation:
             solved = _solved(matrix.tocsc(), right, unit, n)
             if solved is None:
                 raise Undetermined(s)
-            solution[s] = solved[: n + len(self.rigid)]
+            solution[s] = solved[: n + m]
         moved, force = solution[:, :n], unit * solution[:, n:]
         return [self._at_rest(moved[..., k], force[..., k]) for k in range(len(acting))]
 
@@ -156,18 +180,21 @@ class StaticEquation:
             return np.asarray(nodes)
         half = mesh.length[:, None] / 2.0
         front, rear = (acting.line[:, None, k] for k in (0, 1))
-        force = np.zeros((*half.shape[:1], len(xi), 6))
-        force[..., :3] = (front + (1.0 + xi[:, None]) / 2.0 * (rear - front)) * weight[:, None]
-        force *= half[..., None]
+        force = np.zeros((len(half), len(xi), 6))
+        force[..., :3] = front + (1.0 + xi[:, None]) / 2.0 * (rear - front)
+        force *= (half * weight)[..., None]
         along = self._displaced((mesh.middle[:, None] + half * xi).ravel())
         return np.asarray(nodes + force.ravel() @ along)
 
-    def _springs(self, state: State) -> Array:
-        """Return the stiffness of all links over their motions (states, k, k)."""
-        stiffness = np.zeros((len(state.speed), len(self.rigid), len(self.rigid)))
-        for link, part in zip(self.links, self.parts, strict=True):
-            stiffness[:, part, part] = link.matrices(state).stiffness
-        return stiffness
+    def _springs(self, state: State) -> Iterator[Matrix]:
+        """Yield the stiffness of all springs over their motions (m, m) at every state."""
+        blocks = [link.matrices(state).stiffness for link in self.links]
+        for s in range(len(state.speed)):
+            laws = [
+                (at[None], at[None], block[min(s, len(block) - 1)][None])
+                for at, block in zip(self.at, blocks, strict=True)
+            ]
+            yield self.stiffness + summed(self.stiffness.shape, laws, large=True)
 
     def _slopes(self) -> list[tuple[Matrix, Indices]]:
         """Return weighted slopes of both planes by the coordinates, and their elements."""
@@ -175,42 +202,40 @@ class StaticEquation:
         return [(self._by_coordinates(len(element), rows), element) for rows, element in planes]
 
     def _at_rest(self, moved: Array, force: Array) -> AtRest:
-        states, x, full = len(moved), self.mesh.x, moved @ self.basis.T
+        states, x = len(moved), self.mesh.x
         nodes = (moved @ self.shown.T).reshape(states, len(x), 6)
         apart = np.zeros((states, len(x) - 1, 6))
-        for (node, name), dof in self.shaft.jump.items():
+        for (node, name), dof in self.shaft.jump.items() if self.basis is None else ():
             at = self.mesh.node_of(float(self.shaft.mesh.x[node]))
-            apart[:, at, position(name)] = self.structure.dofs.sign[dof] * full[:, dof]
+            apart[:, at, position(name)] = self.structure.dofs.sign[dof] * moved[:, dof]
         connections = len(self.structure.connections)
         push = force[:, : 6 * connections].reshape(states, connections, 6)
         pulled = np.zeros((states, len(x) - 1, 2))
-        bar, last = self.structure.spindle.drawbar, self.parts[len(self.links) - len(self.bars) :]
+        bar, last = self.structure.spindle.drawbar, self.at[len(self.at) - len(self.bars) :]
         contacts = bar.contacts if bar and self.bars else ()
-        for ends, part in zip(pairwise(contacts), last, strict=True):
+        for ends, at in zip(pairwise(contacts), last, strict=True):
             low, high = map(self.mesh.node_of, ends)
-            pulled[:, low:high] = -force[:, None, part]
+            pulled[:, low:high] = -force[:, None, at]
         return AtRest(nodes, apart, push, pulled)
 
 
-def _flexible(structure: Structure) -> tuple[Matrix, Matrix]:
-    """Return all DOF as coordinates, (DOF, n), and the stiffness of bodies (n, n)."""
-    from scipy.sparse import eye_array
+def _holding(structure: Structure) -> Iterator[Springs]:
+    """Yield springs of joints, sleeves and housings."""
+    terms = [housing.parts() for housing in structure.housings]
+    terms += [joint_parts(structure.shafts[SPINDLE]), structure.sleeves.parts(structure.spindle)]
+    for part in (part for term in terms for part in term):
+        if part.matrix == "stiffness":
+            motions = np.broadcast_to(np.eye(part.rows.shape[1]), part.blocks.shape)
+            yield Springs(part.rows, motions, part.blocks)
 
-    n = structure.dofs.count
-    blocks = [(p.rows, p.columns, p.blocks) for p in structure.parts if p.matrix == "stiffness"]
-    return eye_array(n, format="csr"), summed((n, n), blocks, large=True)
 
-
-def _rigid(structure: Structure) -> tuple[Matrix, Matrix]:
-    """Return the same of a rigid shaft, whose coordinates are rigid motions."""
-    from scipy.sparse import block_diag
-
-    ends, parts = 0, []
+def _rigid_motions(structure: Structure) -> Matrix:
+    """Return the motions of a rigid shaft, and of other bodies, by coordinates (DOF, n)."""
+    parts, end = [], 0
     for c in structure.components:
-        parts.append((c.dofs, np.arange(ends, ends + c.size), c.vectors))
-        ends += c.size
-    stiffness = block_diag([c.stiffness for c in structure.components], format="csr")
-    return summed((structure.dofs.count, ends), parts, large=True), stiffness
+        start, end = end, end + c.size
+        parts.append((c.dofs, np.arange(start, end), c.vectors))
+    return summed((structure.dofs.count, end), parts, large=True)
 
 
 def _solved(matrix: Matrix, right: Array, unit: float, n: int) -> Array | None:
