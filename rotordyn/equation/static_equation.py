@@ -39,6 +39,7 @@ ACCURACY = 1e-9  # of cones
 GAUSS = 9  # degree up to which the work of line loads is integrated exactly
 LOST = 1e-6  # of the largest displacement or force: larger rounding errors are refused
 ROUNDING = 2.0**-52
+REFINED = 2  # times
 
 
 class Undetermined(Exception):
@@ -145,7 +146,7 @@ class StaticEquation:
         for k, each in enumerate(acting):
             if each.offset is not None:
                 offset[: each.offset.size, k] = each.offset.ravel()
-        unit = abs(self.stiffness).max() or 1.0  # forces over it are of the size of displacements
+        unit = self._unit()  # forces over it are of the size of displacements
         slopes = self._slopes() if axial is not None else []
         solution = np.zeros((states, n + m, len(acting)))
         for s, springs in enumerate(self._springs(state._replace(standing=True))):
@@ -171,6 +172,12 @@ class StaticEquation:
             solution[s] = solved[: n + m]
         moved, force = solution[:, :n], unit * solution[:, n:]
         return [self._at_rest(moved[..., k], force[..., k]) for k in range(len(acting))]
+
+    def _unit(self) -> float:
+        """Return the stiffness of all elements in series: a larger one takes digits of soft ones,
+        a smaller one those of stiff ones."""
+        diagonal = self.stiffness.diagonal()
+        return float(1.0 / (1.0 / diagonal[diagonal > 0.0]).sum()) if diagonal.any() else 1.0
 
     def _load(self, acting: Acting) -> Array:
         """Return forces on the coordinates (states or 1, n)."""
@@ -239,11 +246,11 @@ def _rigid_motions(structure: Structure) -> Matrix:
 
 
 def _solved(matrix: Matrix, right: Array, unit: float, n: int) -> Array | None:
-    """Return the solution, of n displacements and then forces over ``unit``, refined once; None
-    where rounding errors dominate it.
+    """Return the solution, of n displacements and then forces over ``unit``; None where rounding
+    errors dominate it.
 
     These are the changes by a right-hand side whose rows change either way, by as much as their
-    terms round.
+    terms round and by what remains of them.
     """
     from scipy.sparse.linalg import splu
 
@@ -252,13 +259,17 @@ def _solved(matrix: Matrix, right: Array, unit: float, n: int) -> Array | None:
     except RuntimeError:
         return None
     solution = factors.solve(right)
-    solution += factors.solve(right - matrix @ solution)
+    size = abs(matrix)
+    for _ in range(REFINED):
+        residual = right - matrix @ solution
+        terms = size @ np.abs(solution) + np.abs(right)
+        solution += factors.solve(residual)
     either_way = np.where(np.random.default_rng(1).random(len(right)) < 0.5, -1.0, 1.0)
-    rounded = ROUNDING * (abs(matrix) @ np.abs(solution) + np.abs(right))
+    rounded = ROUNDING * terms + np.abs(right - matrix @ solution)
     error = np.abs(factors.solve(either_way[:, None] * rounded))
     least = np.abs(right).max(axis=0) / unit
     for part in (slice(n), slice(n, None)):
-        size = np.maximum(np.abs(solution[part]).max(axis=0, initial=0.0), least)
-        if not (error[part].max(axis=0, initial=0.0) <= LOST * size).all():
+        largest = np.maximum(np.abs(solution[part]).max(axis=0, initial=0.0), least)
+        if not (error[part].max(axis=0, initial=0.0) <= LOST * largest).all():
             return None
     return np.asarray(solution)

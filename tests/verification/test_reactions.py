@@ -55,4 +55,4 @@ def test_reactions_are_those_of_the_equation_of_motion(seed: int, held: str) -> 
     acting = Acting(load[None], np.zeros((scene.mesh.nodes - 1, 2, 3)))
     found = at_rest(scene, scene.mesh, [acting])[0].push[0]
     known = _assembled(scene, load)
-    assert np.abs(found - known).max() < 1e-9 * np.abs(known).max()
+    assert np.abs(found - known).max() < 1e-11 * np.abs(known).max()
