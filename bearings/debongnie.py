@@ -218,7 +218,7 @@ class RadialRing:
     def of(cls, bearing: BallBearing) -> RadialRing:
         """Build from a bearing of any kind; InvalidBearing where balls do not run mid-groove."""
         grooves = bearing.grooves
-        if len(grooves.contacts) != 2 or (grooves.touching and grooves.free_angle > 0.0):
+        if len(grooves.raceways) != 2 or (grooves.touching and grooves.free_angle > 0.0):
             raise InvalidBearing(
                 "the approximation applies to balls that run in the middle of one groove per ring: "
                 "give a deep-groove bearing, or a contact angle of 0"

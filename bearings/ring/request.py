@@ -15,6 +15,7 @@ from bearings.ball.potential import resting_seat
 from bearings.errors import InvalidBearing
 from bearings.geometry import Geometry
 from bearings.ring.assembly import axial_assembly, full_assembly
+from bearings.ring.contacts import Contacts
 from bearings.ring.equilibrium import Solution, solve
 from bearings.ring.operation import Operation
 from bearings.ring.problem import Problem, first_displacement
@@ -35,6 +36,7 @@ BY_BALL = (
     "outer_required_friction",
 )
 ALIKE = ("contacts", "touching", "both_ways")  # of a bearing and the one of a start
+STRAIGHT = 1e-9  # sine of a contact angle up to which its sign is rounding
 BY_CONTACT = ("contact_load", "contact_angle", "contact_pressure")
 
 
@@ -124,7 +126,7 @@ def _neighbour(
 def _blank(problem: Problem, operation: Operation, outcome: Words) -> Arrays:
     """Arrays for every field, NaN until a state is solved."""
     g = problem.geometry
-    contacts = (g.balls, len(g.inner_grooves) + len(g.outer_grooves))
+    contacts = (g.balls, len(g.sides))
     shapes = {"residual": (), "load": (5,), "displacement": (5,), "complete_stiffness": (5, 5)}
     shapes |= dict.fromkeys(BY_BALL, (g.balls,)) | dict.fromkeys(BY_CONTACT, contacts)
     shapes |= {"ball_centre": (problem.unknowns, g.balls)}
@@ -155,14 +157,15 @@ def _store(states: Arrays, index: Index, problem: Problem, solution: Solution) -
 
 def _of_balls(problem: Problem, solution: Solution) -> Arrays:
     """Fields of the states by ball and by contact."""
-    g, b, (load, sin, cos) = problem.geometry, solution.balance, solution.contacts
+    g, b = problem.geometry, solution.balance
+    load, sin, cos = _by_side(g, solution.contacts)
     qi, qo, mg = b.inner_load, b.outer_load, b.gyroscopic_moment
     inner, outer = g.races
     pressure = np.concatenate(
         [g.inner.peak_pressure(load[inner]), g.outer.peak_pressure(load[outer])]
     )
     angle = np.arctan2(g.sides[:, None, None] * sin, cos)
-    inner_angle = angle[0] if g.single else np.arctan2(*b.inner_direction)
+    inner_angle = np.arctan2(*b.inner_direction)
     idle = "lost contact" if problem.turning else "unloaded"
     word = np.where((inner_angle < 0.0) & (not g.both_ways), "open side", "loaded")
     by_contact = (load, np.where(load > 0.0, angle, np.nan), pressure)
@@ -170,7 +173,7 @@ def _of_balls(problem: Problem, solution: Solution) -> Arrays:
         "inner_load": qi,
         "outer_load": qo,
         "inner_angle": inner_angle,
-        "outer_angle": angle[1] if g.single else np.arctan2(*b.outer_direction),
+        "outer_angle": np.arctan2(*b.outer_direction),
         "inner_pressure": pressure[inner].max(axis=0),
         "outer_pressure": pressure[outer].max(axis=0),
         "centrifugal_force": np.broadcast_to(b.centrifugal_force, qi.shape),
@@ -181,6 +184,16 @@ def _of_balls(problem: Problem, solution: Solution) -> Arrays:
         ),
         "status": np.where(qi > 0.0, word, idle),
     } | {name: np.moveaxis(v, 0, -1) for name, v in zip(BY_CONTACT, by_contact, strict=True)}
+
+
+def _by_side(g: Geometry, of_grooves: Contacts) -> Contacts:
+    """Contacts (c, s, n) as in results: one groove a ring bears on the side of its angle."""
+    load, sin, cos = (part[g.groove_of] for part in of_grooves)
+    if g.by_side:
+        one_arc = g.by_contact(len(g.inner_grooves) == 1, len(g.outer_grooves) == 1)
+        elsewhere = (sin > -STRAIGHT) != (g.sides > 0.0)[:, None, None]
+        load = np.where(one_arc[:, None, None] & elsewhere, 0.0, load)
+    return Contacts(load, sin, cos)
 
 
 def _required_friction(moment: Array, load: Array, diameter: float) -> Array:
