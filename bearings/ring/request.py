@@ -165,7 +165,9 @@ def _of_balls(problem: Problem, solution: Solution) -> Arrays:
         [g.inner.peak_pressure(load[inner]), g.outer.peak_pressure(load[outer])]
     )
     angle = np.arctan2(g.sides[:, None, None] * sin, cos)
-    inner_angle = np.arctan2(*b.inner_direction)
+    inner_angle, outer_angle = np.arctan2(*b.inner_direction), np.arctan2(*b.outer_direction)
+    if g.single:  # also without load the directions of the contacts
+        inner_angle, outer_angle = np.arctan2(solution.contacts.sin, solution.contacts.cos)
     idle = "lost contact" if problem.turning else "unloaded"
     word = np.where((inner_angle < 0.0) & (not g.both_ways), "open side", "loaded")
     by_contact = (load, np.where(load > 0.0, angle, np.nan), pressure)
@@ -173,7 +175,7 @@ def _of_balls(problem: Problem, solution: Solution) -> Arrays:
         "inner_load": qi,
         "outer_load": qo,
         "inner_angle": inner_angle,
-        "outer_angle": np.arctan2(*b.outer_direction),
+        "outer_angle": outer_angle,
         "inner_pressure": pressure[inner].max(axis=0),
         "outer_pressure": pressure[outer].max(axis=0),
         "centrifugal_force": np.broadcast_to(b.centrifugal_force, qi.shape),

@@ -97,7 +97,9 @@ def test_films_and_flexible_rings_of_one_arc() -> None:
     assert found.normal.shape == (15, 4)
     assert found.normal[:, [0, 3]] == pytest.approx(same.normal, rel=1e-6, abs=1e-12)
     assert found.outer == pytest.approx(same.outer, rel=1e-6)
-    oil: dict[str, Any] = dict(lubricant=Lubricant(32e-6, 5.4e-6), temperature=40.0, load=PUSHED, speed=300.0)
+    oil: dict[str, Any] = dict(
+        lubricant=Lubricant(32e-6, 5.4e-6), temperature=40.0, load=PUSHED, speed=300.0
+    )
     wet, other = (bearings.on_film.on_film(b, **oil) for b in pair)
     assert wet.stiffness == pytest.approx(other.stiffness, rel=1e-9)
     assert wet.growth == pytest.approx(other.growth, rel=1e-9)
