@@ -30,6 +30,7 @@ from bearings.ring.operation import LARGEST
 LOWEST, HIGHEST = 1e-2, 1e2  # range of x in which A and n hold
 LIFE = 10.0 / 3.0  # w, exponent of load for a race that stands still under passing balls
 VARIANTS = ("corrected", "original")
+FITTED = 0.5527  # A at ki = ke as the report has it (8)
 LEAST_SPEED = 1e-3  # rad/s
 
 
@@ -73,11 +74,19 @@ def _deflection(t: Array, ratio: Array) -> Array:
     return np.asarray(ratio * t + np.expm1(np.log1p(t**1.5) * (2.0 / 3.0)))
 
 
-def power_law(ratio: ArrayLike) -> PowerLaw:
-    """A and n for ki/ke = ``ratio`` > 0 in closed form (12 to 14); InvalidBearing for others."""
-    b = _numbers("ratio", ratio) + 0.537
+def power_law(ratio: ArrayLike, variant: str = "corrected") -> PowerLaw:
+    """A and n for ki/ke = ``ratio`` > 0 in closed form (12 to 14); InvalidBearing for others.
+
+    ``variant`` "original": with the digits of the report's table, at ki = ke those of its fit (8).
+    """
+    check_name("variant", variant, VARIANTS)
+    k = _numbers("ratio", ratio)
+    b = k + 0.537
     n = 1.0 / (2.0 / 3.0 + 0.08904 / b)
-    return PowerLaw(b**-n, n)
+    if variant == "corrected":
+        return PowerLaw(b**-n, n)
+    n = np.round(n, 3)  # 1.380 at ki = ke as well
+    return PowerLaw(np.where(np.isclose(k, 1.0, rtol=1e-9), FITTED, np.round(b**-n, 4)), n)
 
 
 def fitted_power_law(ratio: float, low: float = LOWEST, high: float = HIGHEST) -> PowerLaw:
@@ -275,7 +284,8 @@ def approximate(
 
     ``variant`` "original" keeps what is wrong in the report: Fc = m ω² D/2, ω half the speed,
     δc = (Fc/ke)^(2/3) and P0 = 0.2334 z Q; it has no clearance. Its displacement keeps the misprint
-    of δc and is absurd as a length (metres); loads and x are those of the report's tables.
+    of δc and is absurd as a length (metres). Its loads have the digits of the report's tables, of
+    which every column is rounded to four significant digits and computed from rounded ones.
 
     Raises
     ------
@@ -292,14 +302,15 @@ def approximate(
             f"speed {speed:g} rad/s must lie from {LEAST_SPEED:g} to {LARGEST['speed']:g}: the "
             "approximation applies to balls under centrifugal force"
         )
-    force, seated, factors = _constants(ring, speed, variant)
+    check_name("variant", variant, VARIANTS)
+    force, seated = _constants(ring, speed, variant)
     gap = 1.0 + ring.clearance / (2.0 * seated)
     if gap <= 0.0:
         raise InvalidBearing(
             f"interference of {-ring.clearance:g} m compresses every ball (2 δc = {2 * seated:g} "
             "m): solve the full ring instead"
         )
-    law = power_law(ring.inner_compliance / ring.outer_compliance)
+    law = power_law(ring.inner_compliance / ring.outer_compliance, variant)
     x = float(peak(load / (ring.balls * force), law, gap))
     if math.isnan(x):
         ends = (distribution(end, law, gap).radial for end in (LOWEST, HIGHEST))
@@ -309,34 +320,63 @@ def approximate(
             "approximation at this speed: solve the full ring instead"
         )
     around = distribution(x, law, gap)
-    means = np.array([around.inner_mean, around.outer_mean])
-    races = np.array(factors[1:]) * ring.balls * force * means
     weights = race_weights(ring.size_ratio, ring.inner_conformity, ring.outer_conformity)
-    inner_peak = force * float(around.inner_peak)
+    inner, outer, static, dynamic = (_tabulated if variant == "original" else _loads)(
+        around, weights
+    )
     return Approximation(
         displacement=seated * (gap + x),
         zone=float(around.zone),
         peak=x,
         centrifugal_force=force,
-        inner_peak=inner_peak,
-        outer_peak=inner_peak + force,
-        static_equivalent=factors[0] * ring.balls * (inner_peak + force),
-        dynamic_equivalent=float(np.dot(weights, races**LIFE) ** (1.0 / LIFE)),
+        inner_peak=force * inner,
+        outer_peak=force * outer,
+        static_equivalent=load * static,
+        dynamic_equivalent=load * dynamic,
     )
 
 
-def _constants(
-    ring: RadialRing, speed: float, variant: str
-) -> tuple[float, float, tuple[float, float, float]]:
-    """Fc [N], δc [m] and the factors of the equivalent loads in a variant."""
-    check_name("variant", variant, VARIANTS)
+def _constants(ring: RadialRing, speed: float, variant: str) -> tuple[float, float]:
+    """Fc [N] and δc [m] in a variant."""
     if variant == "corrected":
         force = ring.centrifugal_force(speed)
-        return force, ring.outer_compliance * force ** (2.0 / 3.0), equivalent_factors()
+        return force, ring.outer_compliance * force ** (2.0 / 3.0)
     if ring.clearance:
         raise InvalidBearing("the original variant has no clearance: take the corrected one")
     force = ring.ball_mass * (0.5 * speed) ** 2 * ring.ball_diameter / 2.0
-    return force, (force / ring.outer_compliance) ** (2.0 / 3.0), (0.2334, 0.4068, 0.3894)
+    return force, (force / ring.outer_compliance) ** (2.0 / 3.0)
+
+
+Loads = tuple[float, float, float, float]  # Qi and Qe of the most loaded ball/Fc, P0/Fr, P/Fr
+
+
+def _loads(around: Distribution, weights: tuple[float, float]) -> Loads:
+    """Loads of the corrected variant (17, 19, 20, 27, 28)."""
+    static, *factors = equivalent_factors()
+    inner, radial = float(around.inner_peak), float(around.radial)
+    races = np.array(factors) * [around.inner_mean, around.outer_mean] / radial
+    dynamic = float(np.dot(weights, races**LIFE) ** (1.0 / LIFE))
+    return inner, 1.0 + inner, static * (1.0 + inner) / radial, dynamic
+
+
+def _tabulated(around: Distribution, weights: tuple[float, float]) -> Loads:
+    """Loads with the factors and the digits of the report: each from columns rounded before."""
+    inner, outer = _four(around.inner_peak), _four(1.0 + around.inner_peak)
+    radial = _four(around.radial)
+    inverse = _four(1.0 / radial)
+    races = [
+        _four(0.4068 * around.inner_mean * inverse),
+        _four(0.3894 * around.outer_mean * inverse),
+    ]
+    capacities = np.round(np.array(weights) ** (-1.0 / LIFE), 3)  # Ci/C and Ce/C, 1.034 and 1.970
+    part = np.round(capacities**-LIFE, 4)
+    dynamic = np.dot(part, np.array(races) ** LIFE) ** (1.0 / LIFE)
+    return inner, outer, _four(0.2334 * _four(outer / radial)), _four(dynamic)
+
+
+def _four(value: Array | float) -> float:
+    """Round to four significant digits."""
+    return float(f"{float(value):.4g}")
 
 
 def _check_positive(name: str, value: float) -> None:
