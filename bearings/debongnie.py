@@ -89,13 +89,6 @@ def power_law(ratio: ArrayLike, variant: str = "corrected") -> PowerLaw:
     return PowerLaw(np.where(np.isclose(k, 1.0, rtol=1e-9), FITTED, np.round(b**-n, 4)), n)
 
 
-def fitted_power_law(ratio: float, low: float = LOWEST, high: float = HIGHEST) -> PowerLaw:
-    """A and n of ln y = ln A + n ln x, by least squares for x from ``low`` to ``high``."""
-    x = np.geomspace(low, high, 201)
-    n, intercept = np.polyfit(np.log(x), np.log(load(x, ratio)), 1)
-    return PowerLaw(math.exp(intercept), float(n))
-
-
 class Distribution(NamedTuple):
     """Loads around a ring, each over Fc, of shape (…).
 

@@ -117,10 +117,7 @@ def geometry(bearing: Grooves) -> Geometry:
     inner_f, outer_f = bearing.inner_conformity, bearing.outer_conformity
     mass = bearing.ball_material.density * math.pi * diameter**3 / 6.0
     inner, outer = _race_contact(bearing, inner_f, +1.0), _race_contact(bearing, outer_f, -1.0)
-    inner_centre_distance, outer_centre_distance = (
-        (inner_f - 0.5) * diameter,
-        (outer_f - 0.5) * diameter,
-    )
+    inner_reach, outer_reach = (inner_f - 0.5) * diameter, (outer_f - 0.5) * diameter
     inner_centres, outer_centres = bearing.centre_radii
     walls = () if bearing.touching else (-1.0, 1.0)
     size_ratio = diameter / pitch
@@ -132,12 +129,10 @@ def geometry(bearing: Grooves) -> Geometry:
         inner=inner,
         outer=outer,
         inner_grooves=tuple(
-            Groove(inner.stiffness, inner_centre_distance, x, 0.0, 0.0, walls)
-            for x in bearing.inner_offsets
+            Groove(inner.stiffness, inner_reach, x, 0.0, 0.0, walls) for x in bearing.inner_offsets
         ),
         outer_grooves=tuple(
-            Groove(outer.stiffness, outer_centre_distance, x, 0.0, 0.0, walls)
-            for x in bearing.outer_offsets
+            Groove(outer.stiffness, outer_reach, x, 0.0, 0.0, walls) for x in bearing.outer_offsets
         ),
         series_stiffness=(inner.stiffness ** (-2 / 3) + outer.stiffness ** (-2 / 3)) ** -1.5,
         free_distance=bearing.free_distance,
@@ -145,8 +140,8 @@ def geometry(bearing: Grooves) -> Geometry:
         touching=bearing.touching,
         both_ways=bearing.both_ways,
         by_side=bearing.by_side,
-        inner_centre_distance=inner_centre_distance,
-        outer_centre_distance=outer_centre_distance,
+        inner_centre_distance=inner_reach,
+        outer_centre_distance=outer_reach,
         centre_radius=inner_centres,
         outer_centre_radius=outer_centres,
         inner_conformity=inner_f,

@@ -15,6 +15,7 @@ from bearings.ball.potential import resting_seat
 from bearings.errors import InvalidBearing
 from bearings.geometry import Geometry
 from bearings.ring.assembly import axial_assembly, full_assembly
+from bearings.ring.compiled.states import pays
 from bearings.ring.contacts import Contacts
 from bearings.ring.equilibrium import Solution, solve
 from bearings.ring.operation import Operation
@@ -35,7 +36,7 @@ BY_BALL = (
     "inner_required_friction",
     "outer_required_friction",
 )
-ALIKE = ("contacts", "touching", "both_ways")  # of a bearing and the one of a start
+ALIKE = ("raceways", "touching", "both_ways")  # of a bearing and the one of a start
 STRAIGHT = 1e-9  # sine of a contact angle up to which its sign is rounding
 BY_CONTACT = ("contact_load", "contact_angle", "contact_pressure")
 
@@ -49,12 +50,14 @@ def solved(
     if g.touching:  # a centred ring is at rest under no load
         outcome[operation.unloaded & (outcome == "")] = "unloaded"
     states = _blank(full_problem, operation, outcome)
-    fast = _compiled(g, operation) if compiled is None else compiled
+    if compiled is None:  # the compiled solver takes states of one law
+        balls = int(np.where(operation.axial, 1, g.balls).sum())  # equal balls are solved once
+        compiled = not isinstance(operation.law, Laws) and pays(balls, g)
     for index, problem in _groups(full_problem, operation, outcome == ""):
         first, guess = first_displacement(problem, operation.displacement[index]), None
         if start is not None and problem.turning and np.any(operation.law.one_branch):
             first, guess = _neighbour(problem, operation, start, index, first)
-        _store(states, index, problem, solve(problem, first, guess, compiled=fast))
+        _store(states, index, problem, solve(problem, first, guess, compiled=compiled))
     shape = operation.shape
     centre = states.pop("ball_centre").reshape(*shape, full_problem.unknowns, g.balls)
     return BearingState(
@@ -62,16 +65,6 @@ def solved(
         ball_centre=np.moveaxis(centre, -2, 0),
         **{name: value.reshape((*shape, *value.shape[1:])) for name, value in states.items()},
     )
-
-
-def _compiled(g: Geometry, operation: Operation) -> bool:
-    """Whether the compiled solver pays for these points; an axial state counts as one ball."""
-    from bearings.ring.compiled.states import pays
-
-    if isinstance(operation.law, Laws):  # it takes states of one law
-        return False
-    balls = int(np.where(operation.axial, 1, g.balls).sum())
-    return pays(balls, g)
 
 
 def _groups(
@@ -98,8 +91,8 @@ def _neighbour(
     """Start (d, X) from neighbouring states; ``first`` and seats at rest where one is missing."""
     theirs, ours = start.operation.grooves, operation.grooves
     if any(getattr(theirs, name) != getattr(ours, name) for name in ALIKE):
-        names = ", ".join(ours.contacts)
-        raise InvalidBearing(f"start must be a state of a bearing of this kind, contacts {names}")
+        names = ", ".join(ours.raceways)
+        raise InvalidBearing(f"start must be a state of a bearing of this kind, raceways {names}")
     if start.outcome.shape != operation.shape or start.inner_load.shape[-1] != (
         problem.geometry.balls
     ):
