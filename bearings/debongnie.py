@@ -12,19 +12,20 @@ race. The compliances ki, ke are those of δ = k Q^(2/3).
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from bearings.arguments import MOST, finite, real_numbers
+from bearings.arguments import finite, real_numbers
 from bearings.arrays import Array
 from bearings.ball.law import check_name
-from bearings.bearing import BallBearing
+from bearings.bearing import BALL_DIAMETER, BALLS, CONFORMITY, PITCH_DIAMETER, BallBearing
 from bearings.errors import InvalidBearing, shown
 from bearings.geometry import geometry
 from bearings.life.rating import RADIAL_FACTOR, Insides
+from bearings.measure import Measure, measured, refusals
 from bearings.ring.operation import LARGEST
 
 LOWEST, HIGHEST = 1e-2, 1e2  # range of x in which A and n hold
@@ -32,6 +33,10 @@ LIFE = 10.0 / 3.0  # w, exponent of load for a race that stands still under pass
 VARIANTS = ("corrected", "original")
 FITTED = 0.5527  # A at ki = ke as the report has it (8)
 LEAST_SPEED = 1e-3  # rad/s
+COMPLIANCE = Measure("number", "k of δ = k Q^(2/3), in m/N^(2/3)", 1e-12, 1e-3)
+MASS = Measure("number", "mass of a ball, in kg", 1e-9, 1e3)
+CLEARANCE = Measure("length", "diametral clearance, negative: interference", -0.1, 0.1, unit="mm")
+SIZE_RATIO = Measure("number", "D/dm", 0.0, 1.0, open_low=True, open_high=True)
 
 
 class PowerLaw(NamedTuple):
@@ -166,11 +171,10 @@ def race_weights(
     ``size_ratio`` is D/dm; ``inner``, ``outer`` are groove radii over ball diameter. InvalidBearing
     unless 0 < D/dm < 1 and both conformities are above 0.5.
     """
-    for name, value in (("size_ratio", size_ratio), ("inner", inner), ("outer", outer)):
-        _check_positive(name, value)
-    if size_ratio >= 1.0:
-        raise InvalidBearing(f"size_ratio D/dm must be below 1, got {shown(size_ratio)}")
-    _check_conformities(inner, outer)
+    given = (SIZE_RATIO, "size_ratio", size_ratio), (CONFORMITY, "inner", inner)
+    for measure, name, value in (*given, (CONFORMITY, "outer", outer)):
+        if why := measure.refusal(name, value):
+            raise InvalidBearing(why)
     ratio = RADIAL_FACTOR * Insides(size_ratio, 1, 1.0, inner, outer, 0.0).strength_ratio  # Ci/Ce
     return 1.0 / (1.0 + ratio**LIFE), 1.0 / (1.0 + ratio**-LIFE)
 
@@ -189,30 +193,19 @@ class RadialRing:
     negative for interference [m]. Raises InvalidBearing for impossible numbers.
     """
 
-    inner_compliance: float
-    outer_compliance: float
-    balls: int
-    ball_mass: float
-    ball_diameter: float
-    pitch_diameter: float
-    inner_conformity: float = 0.52
-    outer_conformity: float = 0.52
-    clearance: float = 0.0
+    inner_compliance: float = measured(COMPLIANCE)
+    outer_compliance: float = measured(COMPLIANCE)
+    balls: int = measured(BALLS)
+    ball_mass: float = measured(MASS)
+    ball_diameter: float = measured(BALL_DIAMETER)
+    pitch_diameter: float = measured(PITCH_DIAMETER)
+    inner_conformity: float = measured(CONFORMITY, 0.52)
+    outer_conformity: float = measured(CONFORMITY, 0.52)
+    clearance: float = measured(CLEARANCE, 0.0)
 
     def __post_init__(self) -> None:
-        for name in (f.name for f in fields(self) if f.name != "clearance"):
-            _check_positive(name, getattr(self, name))
-            if not 1.0 / MOST <= getattr(self, name) <= MOST:
-                raise InvalidBearing(
-                    f"{name} must lie from {1.0 / MOST:g} to {MOST:g}: is the unit right?"
-                )
-        if not finite(self.clearance):
-            raise InvalidBearing(
-                f"clearance must be a finite length in m, got {shown(self.clearance)}"
-            )
-        if self.balls != int(self.balls):
-            raise InvalidBearing(f"balls must be a whole number, got {shown(self.balls)}")
-        _check_conformities(self.inner_conformity, self.outer_conformity)
+        for why in refusals(self):
+            raise InvalidBearing(why)
         if self.ball_diameter >= self.pitch_diameter:
             raise InvalidBearing("ball_diameter must be below pitch_diameter: is the unit right?")
 
@@ -375,11 +368,6 @@ def _four(value: Array | float) -> float:
 def _check_positive(name: str, value: float) -> None:
     if not (finite(value) and value > 0.0):
         raise InvalidBearing(f"{name} must be a finite number above zero, got {shown(value)}")
-
-
-def _check_conformities(inner: float, outer: float) -> None:
-    if min(inner, outer) <= 0.5:
-        raise InvalidBearing("conformities must be above 0.5: grooves are wider than the ball")
 
 
 def _numbers(name: str, values: ArrayLike, low: float | None = None) -> Array:

@@ -183,12 +183,12 @@ def _of_balls(problem: Problem, solution: Solution) -> Arrays:
 
 def _by_side(g: Geometry, of_grooves: Contacts) -> Contacts:
     """Contacts (c, s, n) as in results: one groove a ring bears on the side of its angle."""
+    if not g.by_side:
+        return of_grooves
     load, sin, cos = (part[g.groove_of] for part in of_grooves)
-    if g.by_side:
-        one_arc = g.by_contact(len(g.inner_grooves) == 1, len(g.outer_grooves) == 1)
-        elsewhere = (sin > -STRAIGHT) != (g.sides > 0.0)[:, None, None]
-        load = np.where(one_arc[:, None, None] & elsewhere, 0.0, load)
-    return Contacts(load, sin, cos)
+    one_arc = g.by_contact(len(g.inner_grooves) == 1, len(g.outer_grooves) == 1)
+    elsewhere = (sin > -STRAIGHT) != (g.sides > 0.0)[:, None, None]
+    return Contacts(np.where(one_arc[:, None, None] & elsewhere, 0.0, load), sin, cos)
 
 
 def _required_friction(moment: Array, load: Array, diameter: float) -> Array:
