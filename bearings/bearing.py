@@ -11,8 +11,8 @@ A kind is one frozen dataclass derived from ``BallBearing``, in a file of its ow
    else about the physics follows from it: no other file depends on the kind.
 3. **Faults.** ``_faults`` yields a sentence, with its remedy, for data that contradict one another.
 4. **Loads it cannot carry.** ``refusal(load, free)`` is a sentence where a load given on a free
-   component cannot be carried by this kind at all; empty by default.
-5. **Directions.** ``both_ways``: it takes thrust in both directions.
+   component cannot be carried by this kind at all: by default a thrust against 5.
+5. **Directions.** ``both_ways``: it takes thrust in both directions, otherwise towards +x alone.
 6. **What it is ground to.** ``ground`` names the datum that stays where groove radii scatter, if it
    is not among the fields that are given, such as the play behind a free contact angle.
 
@@ -29,10 +29,10 @@ For that, every kind has:
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import KW_ONLY, dataclass, fields
 from itertools import chain
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from bearings.arguments import finite
 from bearings.errors import InvalidBearing, shown
@@ -45,6 +45,7 @@ from bearings.measure import Measure, measured, refusals
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+    from bearings.arrays import Array, Flags
     from bearings.ring.state import BearingState
 
 
@@ -53,6 +54,7 @@ PITCH_DIAMETER = Measure("length", "diameter of the circle of ball centres", 1e-
 BALLS = Measure("count", "number of balls", 3, 500)
 CONFORMITY = Measure("number", "groove radius over ball diameter", 0.5, 0.7, open_low=True)
 MATERIAL = Measure("material", "material, with its thermal expansion", kind=Material)
+ROUNDING = 1e-9  # of a load: less is a thrust of zero
 THINNEST = 0.1  # wall of a ring over the diameter of the ball
 SHOULDER = Measure("length", "diameter at which the groove of the ring ends", 1e-3, 10.0, unit="mm")
 
@@ -173,19 +175,26 @@ class BallBearing:
 
     def refusal(self, load: Sequence[float], free: Sequence[bool]) -> str:
         """Why this kind cannot carry ``load`` (5,) on ``free`` (5,) DOF, or empty (contract 4)."""
-        return ""
+        if self.both_ways or not free[0] or load[0] >= -ROUNDING * max(map(abs, load)):
+            return ""
+        return (
+            f"the bearing carries axial load towards +x only: got {load[0]:g} N, allowed: 0 N or "
+            "more, since its rings have one shoulder each; turn the bearing round, or take a kind "
+            "that takes thrust in both directions"
+        )
 
     @property
     def ground(self) -> dict[str, float | None]:
         """Fields by which rings are ground, in place of those given as None (contract 6)."""
         return {}
 
-    def check_load(self, loads: Iterable[Any], free: Any) -> None:
+    def check_load(self, loads: Array, free: Flags) -> None:
         """Raise InvalidBearing for loads (s, 5) given where ``free`` (5,) by contract 4."""
-        if type(self).refusal is not BallBearing.refusal:
-            for load in loads:
-                if why := self.refusal([*map(float, load)], [*map(bool, free)]):
-                    raise InvalidBearing(why)
+        if type(self).refusal is BallBearing.refusal:  # few of many loads can be refused
+            loads = loads[loads[:, 0] < 0.0] if free[0] and not self.both_ways else loads[:0]
+        for load in loads:
+            if why := self.refusal(load.tolist(), free.tolist()):
+                raise InvalidBearing(why)
 
     @property
     def estimated(self) -> str:

@@ -12,25 +12,31 @@ race. The compliances ki, ke are those of δ = k Q^(2/3).
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from bearings.arguments import MOST, finite, real_numbers
+from bearings.arguments import finite, real_numbers
 from bearings.arrays import Array
 from bearings.ball.law import check_name
-from bearings.bearing import BallBearing
+from bearings.bearing import BALL_DIAMETER, BALLS, CONFORMITY, PITCH_DIAMETER, BallBearing
 from bearings.errors import InvalidBearing, shown
 from bearings.geometry import geometry
 from bearings.life.rating import RADIAL_FACTOR, Insides
+from bearings.measure import Measure, measured, refusals
 from bearings.ring.operation import LARGEST
 
 LOWEST, HIGHEST = 1e-2, 1e2  # range of x in which A and n hold
 LIFE = 10.0 / 3.0  # w, exponent of load for a race that stands still under passing balls
 VARIANTS = ("corrected", "original")
+FITTED = 0.5527  # A at ki = ke as the report has it (8)
 LEAST_SPEED = 1e-3  # rad/s
+COMPLIANCE = Measure("number", "k of δ = k Q^(2/3), in m/N^(2/3)", 1e-12, 1e-3)
+MASS = Measure("number", "mass of a ball, in kg", 1e-9, 1e3)
+CLEARANCE = Measure("length", "diametral clearance, negative: interference", -0.1, 0.1, unit="mm")
+SIZE_RATIO = Measure("number", "D/dm", 0.0, 1.0, open_low=True, open_high=True)
 
 
 class PowerLaw(NamedTuple):
@@ -73,18 +79,19 @@ def _deflection(t: Array, ratio: Array) -> Array:
     return np.asarray(ratio * t + np.expm1(np.log1p(t**1.5) * (2.0 / 3.0)))
 
 
-def power_law(ratio: ArrayLike) -> PowerLaw:
-    """A and n for ki/ke = ``ratio`` > 0 in closed form (12 to 14); InvalidBearing for others."""
-    b = _numbers("ratio", ratio) + 0.537
+def power_law(ratio: ArrayLike, variant: str = "corrected") -> PowerLaw:
+    """A and n for ki/ke = ``ratio`` > 0 in closed form (12 to 14); InvalidBearing for others.
+
+    ``variant`` "original": with the digits of the report's table, at ki = ke those of its fit (8).
+    """
+    check_name("variant", variant, VARIANTS)
+    k = _numbers("ratio", ratio)
+    b = k + 0.537
     n = 1.0 / (2.0 / 3.0 + 0.08904 / b)
-    return PowerLaw(b**-n, n)
-
-
-def fitted_power_law(ratio: float, low: float = LOWEST, high: float = HIGHEST) -> PowerLaw:
-    """A and n of ln y = ln A + n ln x, by least squares for x from ``low`` to ``high``."""
-    x = np.geomspace(low, high, 201)
-    n, intercept = np.polyfit(np.log(x), np.log(load(x, ratio)), 1)
-    return PowerLaw(math.exp(intercept), float(n))
+    if variant == "corrected":
+        return PowerLaw(b**-n, n)
+    n = np.round(n, 3)  # 1.380 at ki = ke as well
+    return PowerLaw(np.where(np.isclose(k, 1.0, rtol=1e-9), FITTED, np.round(b**-n, 4)), n)
 
 
 class Distribution(NamedTuple):
@@ -164,11 +171,10 @@ def race_weights(
     ``size_ratio`` is D/dm; ``inner``, ``outer`` are groove radii over ball diameter. InvalidBearing
     unless 0 < D/dm < 1 and both conformities are above 0.5.
     """
-    for name, value in (("size_ratio", size_ratio), ("inner", inner), ("outer", outer)):
-        _check_positive(name, value)
-    if size_ratio >= 1.0:
-        raise InvalidBearing(f"size_ratio D/dm must be below 1, got {shown(size_ratio)}")
-    _check_conformities(inner, outer)
+    given = (SIZE_RATIO, "size_ratio", size_ratio), (CONFORMITY, "inner", inner)
+    for measure, name, value in (*given, (CONFORMITY, "outer", outer)):
+        if why := measure.refusal(name, value):
+            raise InvalidBearing(why)
     ratio = RADIAL_FACTOR * Insides(size_ratio, 1, 1.0, inner, outer, 0.0).strength_ratio  # Ci/Ce
     return 1.0 / (1.0 + ratio**LIFE), 1.0 / (1.0 + ratio**-LIFE)
 
@@ -187,30 +193,19 @@ class RadialRing:
     negative for interference [m]. Raises InvalidBearing for impossible numbers.
     """
 
-    inner_compliance: float
-    outer_compliance: float
-    balls: int
-    ball_mass: float
-    ball_diameter: float
-    pitch_diameter: float
-    inner_conformity: float = 0.52
-    outer_conformity: float = 0.52
-    clearance: float = 0.0
+    inner_compliance: float = measured(COMPLIANCE)
+    outer_compliance: float = measured(COMPLIANCE)
+    balls: int = measured(BALLS)
+    ball_mass: float = measured(MASS)
+    ball_diameter: float = measured(BALL_DIAMETER)
+    pitch_diameter: float = measured(PITCH_DIAMETER)
+    inner_conformity: float = measured(CONFORMITY, 0.52)
+    outer_conformity: float = measured(CONFORMITY, 0.52)
+    clearance: float = measured(CLEARANCE, 0.0)
 
     def __post_init__(self) -> None:
-        for name in (f.name for f in fields(self) if f.name != "clearance"):
-            _check_positive(name, getattr(self, name))
-            if not 1.0 / MOST <= getattr(self, name) <= MOST:
-                raise InvalidBearing(
-                    f"{name} must lie from {1.0 / MOST:g} to {MOST:g}: is the unit right?"
-                )
-        if not finite(self.clearance):
-            raise InvalidBearing(
-                f"clearance must be a finite length in m, got {shown(self.clearance)}"
-            )
-        if self.balls != int(self.balls):
-            raise InvalidBearing(f"balls must be a whole number, got {shown(self.balls)}")
-        _check_conformities(self.inner_conformity, self.outer_conformity)
+        for why in refusals(self):
+            raise InvalidBearing(why)
         if self.ball_diameter >= self.pitch_diameter:
             raise InvalidBearing("ball_diameter must be below pitch_diameter: is the unit right?")
 
@@ -218,7 +213,7 @@ class RadialRing:
     def of(cls, bearing: BallBearing) -> RadialRing:
         """Build from a bearing of any kind; InvalidBearing where balls do not run mid-groove."""
         grooves = bearing.grooves
-        if len(grooves.contacts) != 2 or (grooves.touching and grooves.free_angle > 0.0):
+        if len(grooves.raceways) != 2 or (grooves.touching and grooves.free_angle > 0.0):
             raise InvalidBearing(
                 "the approximation applies to balls that run in the middle of one groove per ring: "
                 "give a deep-groove bearing, or a contact angle of 0"
@@ -275,7 +270,8 @@ def approximate(
 
     ``variant`` "original" keeps what is wrong in the report: Fc = m ω² D/2, ω half the speed,
     δc = (Fc/ke)^(2/3) and P0 = 0.2334 z Q; it has no clearance. Its displacement keeps the misprint
-    of δc and is absurd as a length (metres); loads and x are those of the report's tables.
+    of δc and is absurd as a length (metres). Its loads have the digits of the report's tables, of
+    which every column is rounded to four significant digits and computed from rounded ones.
 
     Raises
     ------
@@ -292,14 +288,15 @@ def approximate(
             f"speed {speed:g} rad/s must lie from {LEAST_SPEED:g} to {LARGEST['speed']:g}: the "
             "approximation applies to balls under centrifugal force"
         )
-    force, seated, factors = _constants(ring, speed, variant)
+    check_name("variant", variant, VARIANTS)
+    force, seated = _constants(ring, speed, variant)
     gap = 1.0 + ring.clearance / (2.0 * seated)
     if gap <= 0.0:
         raise InvalidBearing(
             f"interference of {-ring.clearance:g} m compresses every ball (2 δc = {2 * seated:g} "
             "m): solve the full ring instead"
         )
-    law = power_law(ring.inner_compliance / ring.outer_compliance)
+    law = power_law(ring.inner_compliance / ring.outer_compliance, variant)
     x = float(peak(load / (ring.balls * force), law, gap))
     if math.isnan(x):
         ends = (distribution(end, law, gap).radial for end in (LOWEST, HIGHEST))
@@ -309,44 +306,68 @@ def approximate(
             "approximation at this speed: solve the full ring instead"
         )
     around = distribution(x, law, gap)
-    means = np.array([around.inner_mean, around.outer_mean])
-    races = np.array(factors[1:]) * ring.balls * force * means
     weights = race_weights(ring.size_ratio, ring.inner_conformity, ring.outer_conformity)
-    inner_peak = force * float(around.inner_peak)
+    inner, outer, static, dynamic = (_tabulated if variant == "original" else _loads)(
+        around, weights
+    )
     return Approximation(
         displacement=seated * (gap + x),
         zone=float(around.zone),
         peak=x,
         centrifugal_force=force,
-        inner_peak=inner_peak,
-        outer_peak=inner_peak + force,
-        static_equivalent=factors[0] * ring.balls * (inner_peak + force),
-        dynamic_equivalent=float(np.dot(weights, races**LIFE) ** (1.0 / LIFE)),
+        inner_peak=force * inner,
+        outer_peak=force * outer,
+        static_equivalent=load * static,
+        dynamic_equivalent=load * dynamic,
     )
 
 
-def _constants(
-    ring: RadialRing, speed: float, variant: str
-) -> tuple[float, float, tuple[float, float, float]]:
-    """Fc [N], δc [m] and the factors of the equivalent loads in a variant."""
-    check_name("variant", variant, VARIANTS)
+def _constants(ring: RadialRing, speed: float, variant: str) -> tuple[float, float]:
+    """Fc [N] and δc [m] in a variant."""
     if variant == "corrected":
         force = ring.centrifugal_force(speed)
-        return force, ring.outer_compliance * force ** (2.0 / 3.0), equivalent_factors()
+        return force, ring.outer_compliance * force ** (2.0 / 3.0)
     if ring.clearance:
         raise InvalidBearing("the original variant has no clearance: take the corrected one")
     force = ring.ball_mass * (0.5 * speed) ** 2 * ring.ball_diameter / 2.0
-    return force, (force / ring.outer_compliance) ** (2.0 / 3.0), (0.2334, 0.4068, 0.3894)
+    return force, (force / ring.outer_compliance) ** (2.0 / 3.0)
+
+
+Loads = tuple[float, float, float, float]  # Qi and Qe of the most loaded ball/Fc, P0/Fr, P/Fr
+
+
+def _loads(around: Distribution, weights: tuple[float, float]) -> Loads:
+    """Loads of the corrected variant (17, 19, 20, 27, 28)."""
+    static, *factors = equivalent_factors()
+    inner, radial = float(around.inner_peak), float(around.radial)
+    races = np.array(factors) * [around.inner_mean, around.outer_mean] / radial
+    dynamic = float(np.dot(weights, races**LIFE) ** (1.0 / LIFE))
+    return inner, 1.0 + inner, static * (1.0 + inner) / radial, dynamic
+
+
+def _tabulated(around: Distribution, weights: tuple[float, float]) -> Loads:
+    """Loads with the factors and the digits of the report: each from columns rounded before."""
+    inner, outer = _four(around.inner_peak), _four(1.0 + around.inner_peak)
+    radial = _four(around.radial)
+    inverse = _four(1.0 / radial)
+    races = [
+        _four(0.4068 * around.inner_mean * inverse),
+        _four(0.3894 * around.outer_mean * inverse),
+    ]
+    capacities = np.round(np.array(weights) ** (-1.0 / LIFE), 3)  # Ci/C and Ce/C, 1.034 and 1.970
+    part = np.round(capacities**-LIFE, 4)
+    dynamic = np.dot(part, np.array(races) ** LIFE) ** (1.0 / LIFE)
+    return inner, outer, _four(0.2334 * _four(outer / radial)), _four(dynamic)
+
+
+def _four(value: Array | float) -> float:
+    """Round to four significant digits."""
+    return float(f"{float(value):.4g}")
 
 
 def _check_positive(name: str, value: float) -> None:
     if not (finite(value) and value > 0.0):
         raise InvalidBearing(f"{name} must be a finite number above zero, got {shown(value)}")
-
-
-def _check_conformities(inner: float, outer: float) -> None:
-    if min(inner, outer) <= 0.5:
-        raise InvalidBearing("conformities must be above 0.5: grooves are wider than the ball")
 
 
 def _numbers(name: str, values: ArrayLike, low: float | None = None) -> Array:

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from bearings.arrays import Array
+from bearings.arrays import Array, Index
 from bearings.contact.hertz import HertzContact, contact
 from bearings.grooves import STEEP, WIDEST, Grooves
 
@@ -61,6 +61,7 @@ class Geometry(NamedTuple):
     radial_gap: float
     touching: bool
     both_ways: bool
+    by_side: bool
     inner_centre_distance: float
     outer_centre_distance: float
     centre_radius: float
@@ -80,21 +81,33 @@ class Geometry(NamedTuple):
         return len(self.inner_grooves) == len(self.outer_grooves) == 1
 
     @property
-    def races(self) -> tuple[slice, slice]:
-        """Places of the inner and of the outer race among the contacts of a ball."""
+    def rings(self) -> tuple[slice, slice]:
+        """Places of the inner and of the outer ring among the grooves."""
         split = len(self.inner_grooves)
         return slice(split), slice(split, None)
 
     @property
+    def races(self) -> tuple[slice, slice]:
+        """Places of the inner and of the outer race among the contacts of a ball in results."""
+        split = 2 if self.by_side else 1
+        return slice(split), slice(split, None)
+
+    @property
+    def groove_of(self) -> Index:
+        """Place of the groove of each contact in results (contacts,)."""
+        inner, outer = len(self.inner_grooves), len(self.outer_grooves)
+        if not self.by_side:
+            return np.arange(2)
+        return np.array([0, inner - 1, inner, inner + outer - 1])
+
+    @property
     def sides(self) -> Array:
         """Sign of the axial direction in which the angle of a contact is positive (contacts,)."""
-        inner, outer = ([x.offset for x in g] for g in (self.inner_grooves, self.outer_grooves))
-        return np.where(np.array([*inner, *(-x for x in outer)]) >= 0.0, 1.0, -1.0)
+        return np.array([1.0, -1.0, -1.0, 1.0] if self.by_side else [1.0, 1.0])
 
     def by_contact(self, inner: Any, outer: Any) -> Array:
         """Take ``inner`` at contacts of the inner race, ``outer`` at others: (…, contacts)."""
-        count = len(self.inner_grooves) + len(self.outer_grooves)
-        return np.where(np.arange(count) < len(self.inner_grooves), inner, outer)
+        return np.where(np.arange(len(self.sides)) < self.races[0].stop, inner, outer)
 
 
 @lru_cache(maxsize=256)
@@ -104,10 +117,7 @@ def geometry(bearing: Grooves) -> Geometry:
     inner_f, outer_f = bearing.inner_conformity, bearing.outer_conformity
     mass = bearing.ball_material.density * math.pi * diameter**3 / 6.0
     inner, outer = _race_contact(bearing, inner_f, +1.0), _race_contact(bearing, outer_f, -1.0)
-    inner_centre_distance, outer_centre_distance = (
-        (inner_f - 0.5) * diameter,
-        (outer_f - 0.5) * diameter,
-    )
+    inner_reach, outer_reach = (inner_f - 0.5) * diameter, (outer_f - 0.5) * diameter
     inner_centres, outer_centres = bearing.centre_radii
     walls = () if bearing.touching else (-1.0, 1.0)
     size_ratio = diameter / pitch
@@ -119,20 +129,19 @@ def geometry(bearing: Grooves) -> Geometry:
         inner=inner,
         outer=outer,
         inner_grooves=tuple(
-            Groove(inner.stiffness, inner_centre_distance, x, 0.0, 0.0, walls)
-            for x in bearing.inner_offsets
+            Groove(inner.stiffness, inner_reach, x, 0.0, 0.0, walls) for x in bearing.inner_offsets
         ),
         outer_grooves=tuple(
-            Groove(outer.stiffness, outer_centre_distance, x, 0.0, 0.0, walls)
-            for x in bearing.outer_offsets
+            Groove(outer.stiffness, outer_reach, x, 0.0, 0.0, walls) for x in bearing.outer_offsets
         ),
         series_stiffness=(inner.stiffness ** (-2 / 3) + outer.stiffness ** (-2 / 3)) ** -1.5,
         free_distance=bearing.free_distance,
         radial_gap=gap,
         touching=bearing.touching,
         both_ways=bearing.both_ways,
-        inner_centre_distance=inner_centre_distance,
-        outer_centre_distance=outer_centre_distance,
+        by_side=bearing.by_side,
+        inner_centre_distance=inner_reach,
+        outer_centre_distance=outer_reach,
         centre_radius=inner_centres,
         outer_centre_radius=outer_centres,
         inner_conformity=inner_f,

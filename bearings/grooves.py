@@ -22,8 +22,9 @@ class Grooves:
     ``inner_offsets``, ``outer_offsets`` [m]: axial places of the groove centres of a ring from its
     middle plane, one or two each, the positive first: ir, il, or, ol. ``touching``: zero
     displacement is where balls just touch under an axial push; otherwise where rings are centred.
-    ``both_ways``: carries thrust in both directions. ``inner_shoulder``, ``outer_shoulder``:
-    diameters at which the grooves end, None if unknown. ``rings``: the
+    ``both_ways``: carries thrust in both directions. ``by_side``: results have a contact for either
+    side of a race; that of a ring with one groove is on the side of its angle. ``inner_shoulder``,
+    ``outer_shoulder``: diameters at which the grooves end, None if unknown. ``rings``: the
     ``FlexibleRings``, None if they are rigid.
     """
 
@@ -40,6 +41,7 @@ class Grooves:
     outer_offsets: tuple[float, ...] = (0.0,)
     touching: bool = False
     both_ways: bool = True
+    by_side: bool = False
     inner_shoulder: float | None = None
     outer_shoulder: float | None = None
     rings: Hashable = None
@@ -83,7 +85,12 @@ class Grooves:
 
     @property
     def contacts(self) -> tuple[str, ...]:
-        """Names of the contacts: i, o; of two grooves a ring: ir, il, or, ol."""
+        """Names of the contacts: i, o; by side: ir, il, or, ol."""
+        return ("ir", "il", "or", "ol") if self.by_side else ("i", "o")
+
+    @property
+    def raceways(self) -> tuple[str, ...]:
+        """Names of the raceways: i, o; of two grooves a ring: ir, il, or, ol."""
         inner = ("ir", "il") if len(self.inner_offsets) == 2 else ("i",)
         return inner + (("or", "ol") if len(self.outer_offsets) == 2 else ("o",))
 

@@ -159,11 +159,11 @@ def softened(state: BearingState, films: Film) -> Array:
     part = Problem.of(operation, full_assembly).take(rows)
     x = state.ball_centre.reshape(len(state.ball_centre), len(speed), -1)[:, rows]
     a = part.centres(state.displacement.reshape(-1, 5)[rows], x)
-    spring = films.stiffness.reshape(len(speed), g.balls, -1)[rows]
+    springs = films.stiffness.reshape(len(speed), g.balls, -1)[rows]
     grooves = [
-        _softer(groove, vector, spring[..., k])
-        for k, (groove, vector) in enumerate(
-            ((g.inner_grooves[0], a[:2] - x[:2]), (g.outer_grooves[0], x[:2]))
+        _softer(groove, vector, springs[..., race].min(axis=-1))  # infinite without load
+        for groove, vector, race in zip(
+            (*g.inner_grooves, *g.outer_grooves), (a[:2] - x[:2], x[:2]), g.races, strict=True
         )
     ]
     soft = g._replace(inner_grooves=(grooves[0],), outer_grooves=(grooves[1],))

@@ -32,7 +32,7 @@ class FourPointBallBearing(BallBearing):
     Displacement and moments are about the centre of the inner ring's middle plane and count from
     the centred position, where load is zero by symmetry. Contacts are named ir and il (inner ring,
     −x and +x side of the ball) and or and ol (outer ring); pushing the inner ring towards +x loads
-    ir and ol. A ring without shim has one arc (i or o).
+    ir and ol. A ring without shim has one arc, whose contact has the name of the side it bears on.
 
     Parameters
     ----------
@@ -151,6 +151,7 @@ class FourPointBallBearing(BallBearing):
         return Grooves.of(
             self,
             radial_gap=self._radial_gap(),
+            by_side=True,
             inner_offsets=_arcs(self.inner_shim / 2.0),
             outer_offsets=_arcs(self.outer_shim / 2.0),
         )

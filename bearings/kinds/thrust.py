@@ -32,11 +32,8 @@ class ThrustBallBearing(BallBearing):
                 f"a thrust ball bearing carries no radial load: got {math.hypot(*radial):g} N; "
                 "give its radial displacement instead, and a radial bearing beside it"
             )
-        if free[0] and thrust < 0.0:
-            return (
-                f"a thrust ball bearing carries thrust towards +x only: got {thrust:g} N; turn it "
-                "round, or use one for each direction"
-            )
+        if reverse := BallBearing.refusal(self, load, free):  # super() is lost with slots
+            return reverse
         moment = [part if flag else 0.0 for part, flag in zip(load[3:], free[3:], strict=True)]
         if free[0] and (size := math.hypot(*moment)) > (most := self._tipping(thrust, *moment)):
             return (

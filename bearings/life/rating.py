@@ -33,8 +33,7 @@ EXPONENT = 3.0 * WEIBULL_SLOPE  # of loads where probabilities of survival multi
 
 def nominal_angle(grooves: Grooves) -> float:
     """Contact angle of ratings [rad]: the free one; 0 for a deep groove, where it is clearance."""
-    one_arc = len(grooves.inner_offsets) == len(grooves.outer_offsets) == 1
-    return 0.0 if one_arc and grooves.both_ways else grooves.free_angle
+    return 0.0 if len(grooves.raceways) == 2 and grooves.both_ways else grooves.free_angle
 
 
 def is_thrust(grooves: Grooves) -> bool:

@@ -42,10 +42,10 @@ class ReferenceLife:
 
     ``revolutions`` (…): L10r of the ring that turns against the load, infinite without load;
     ``equivalent_load`` (…): Pref = C/L10r^(1/3) [N], the steady load of the same life;
-    ``race_load`` (…, contacts): equivalent ball load Qe [N] of every raceway, in the order of the
-    bearing's ``contact_names``; ``race_rating`` (contacts,): the ball load Qc [N] of one million
-    revolutions; ``race_life`` (…, contacts) [revolutions]; ``limiting`` (…): name of the contact
-    that fails first, ``""`` without load. ``dynamic_rating``: C [N].
+    ``race_load`` (…, raceways): equivalent ball load Qe [N] of every raceway, one a groove: i, o,
+    or ir, il, or, ol; ``race_rating`` (raceways,): the ball load Qc [N] of one million revolutions;
+    ``race_life`` (…, raceways) [revolutions]; ``limiting`` (…): name of the raceway that fails
+    first, ``""`` without load. ``dynamic_rating``: C [N].
     """
 
     revolutions: Array
@@ -107,17 +107,18 @@ def life_of(
     grooves = state.operation.grooves
     rating = _rating(grooves, dynamic_rating)
     g = state.operation.geometry
-    turns = g.by_contact(rotating != "outer", rotating != "inner")
-    load = np.asarray(state.contact_load)
+    first = np.unique(g.groove_of, return_index=True)[1]  # contact of each raceway
+    turns = g.by_contact(rotating != "outer", rotating != "inner")[first]
+    load = np.add.reduceat(np.asarray(state.contact_load), first, axis=-1)
     # a point of a ring that turns against the load carries all ball loads, averaged by L ~ Q⁻³;
     # one of the other ring carries one of them, and probabilities of survival multiply
     equivalent = np.where(turns, _mean(load, 3.0), _mean(load, EXPONENT))
-    capacity = g.by_contact(*ball_ratings(grooves, rating))
+    capacity = g.by_contact(*ball_ratings(grooves, rating))[first]
     damage = (equivalent / capacity) ** EXPONENT
     with np.errstate(divide="ignore"):
         millions = damage.sum(axis=-1) ** (-1.0 / WEIBULL_SLOPE)
         race = 1e6 * damage ** (-1.0 / WEIBULL_SLOPE)
-    worst = np.array(grooves.contacts)[np.argmax(np.nan_to_num(damage), axis=-1)]
+    worst = np.array(grooves.raceways)[np.argmax(np.nan_to_num(damage), axis=-1)]
     loaded = np.nan_to_num(damage).sum(axis=-1) > 0.0
     return ReferenceLife(
         revolutions=np.asarray(1e6 * millions),
@@ -149,7 +150,7 @@ def static_safety(state: BearingState, pressure: float = STATIC_PRESSURE) -> Arr
 
 
 def _mean(load: Array, power: float) -> Array:
-    """Power mean over all balls of a bearing, unloaded ones included (…, contacts)."""
+    """Power mean over all balls of a bearing, unloaded ones included (…, raceways)."""
     return np.asarray(((load**power).mean(axis=-2)) ** (1.0 / power))
 
 

@@ -46,7 +46,7 @@ def remedy(state: BearingState) -> str:
     if law.dynamics == "frozen":
         return remedies[0]
     remedies.append("lower the speed")
-    if law.dynamics == "resultant" and state.contact_load.shape[-1] == 4:
+    if law.dynamics == "resultant" and not state.operation.geometry.single:
         remedies.append('look at dynamics "frozen" (it counts the contacts of every ball)')
     if law.friction is None:
         remedies.append("give a limit of friction")

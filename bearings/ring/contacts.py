@@ -52,7 +52,7 @@ def contacts(
         least = c.inner.stiffness * (tol.IDLE * EPS * c.free_distance) ** 1.5
     place = (x[0], x[1])
     shifts = dx[2:].reshape(-1, 2, *dx.shape[1:]) if len(dx) > 4 else np.zeros((4, 2, 1, 1))
-    by_inner, by_outer = (shifts[race] for race in c.races)
+    by_inner, by_outer = (shifts[race] for race in c.rings)
     inner_step, outer_step = centre_step[:2] - dx[:2] + by_inner, dx[:2] - by_outer
     inner = _race_contacts(c.inner_grooves, against(tuple(a), place), 1.0, inner_step, least)
     outer = _race_contacts(c.outer_grooves, place, -1.0, outer_step, least)

@@ -46,8 +46,7 @@ def ring_deflection(state: BearingState) -> RingDeflection:
     operation = state.operation
     g = geometry(operation.grooves)
     exists = state.outcome.reshape(-1) == ""
-    count = len(g.inner_grooves) + len(g.outer_grooves)
-    shift = np.full((exists.size, g.balls, count, 2), np.nan)
+    shift = np.full((exists.size, g.balls, len(g.sides), 2), np.nan)
     normal = np.full(shift.shape[:3], np.nan)
     shift[exists], normal[exists] = 0.0, 0.0
     if operation.grooves.rings is not None:
@@ -55,7 +54,8 @@ def ring_deflection(state: BearingState) -> RingDeflection:
         d, x = state.displacement.reshape(-1, 5), state.ball_centre
         x = x.reshape(len(x), exists.size, -1)
         for rows, part in problem.parts(exists):
-            way, shifts = groove_shifts(part, d[rows], x[:, rows])
+            of_grooves = groove_shifts(part, d[rows], x[:, rows])
+            way, shifts = (values[:, :, g.groove_of] for values in of_grooves)
             length = np.sqrt((way * way).sum(axis=-1))
             along = (way * shifts).sum(axis=-1)
             shift[rows] = shifts
@@ -64,5 +64,5 @@ def ring_deflection(state: BearingState) -> RingDeflection:
     return RingDeflection(
         shift.reshape(*shape, *shift.shape[1:]),
         normal.reshape(*shape, *normal.shape[1:]),
-        len(g.inner_grooves),
+        g.races[0].stop,
     )

@@ -211,7 +211,7 @@ def _pressed(
     shift = np.zeros((states, n, contacts, 2))
     slopes = [np.zeros((states, n, contacts, 2, n, contacts, 2)) for _ in range(2 if axial else 1)]
     grooves_of = c.inner_grooves, c.outer_grooves
-    for ring, grooves, part in zip(problem.compliances, grooves_of, c.races, strict=True):
+    for ring, grooves, part in zip(problem.compliances, grooves_of, c.rings, strict=True):
         if ring is None:
             continue
         groove = grooves[0] if problem.placed else both_grooves(c)

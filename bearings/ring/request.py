@@ -15,6 +15,8 @@ from bearings.ball.potential import resting_seat
 from bearings.errors import InvalidBearing
 from bearings.geometry import Geometry
 from bearings.ring.assembly import axial_assembly, full_assembly
+from bearings.ring.compiled.states import pays
+from bearings.ring.contacts import Contacts
 from bearings.ring.equilibrium import Solution, solve
 from bearings.ring.operation import Operation
 from bearings.ring.problem import Problem, first_displacement
@@ -34,7 +36,8 @@ BY_BALL = (
     "inner_required_friction",
     "outer_required_friction",
 )
-ALIKE = ("contacts", "touching", "both_ways")  # of a bearing and the one of a start
+ALIKE = ("raceways", "touching", "both_ways")  # of a bearing and the one of a start
+STRAIGHT = 1e-9  # sine of a contact angle up to which its sign is rounding
 BY_CONTACT = ("contact_load", "contact_angle", "contact_pressure")
 
 
@@ -47,12 +50,14 @@ def solved(
     if g.touching:  # a centred ring is at rest under no load
         outcome[operation.unloaded & (outcome == "")] = "unloaded"
     states = _blank(full_problem, operation, outcome)
-    fast = _compiled(g, operation) if compiled is None else compiled
+    if compiled is None:  # the compiled solver takes states of one law
+        balls = int(np.where(operation.axial, 1, g.balls).sum())  # equal balls are solved once
+        compiled = not isinstance(operation.law, Laws) and pays(balls, g)
     for index, problem in _groups(full_problem, operation, outcome == ""):
         first, guess = first_displacement(problem, operation.displacement[index]), None
         if start is not None and problem.turning and np.any(operation.law.one_branch):
             first, guess = _neighbour(problem, operation, start, index, first)
-        _store(states, index, problem, solve(problem, first, guess, compiled=fast))
+        _store(states, index, problem, solve(problem, first, guess, compiled=compiled))
     shape = operation.shape
     centre = states.pop("ball_centre").reshape(*shape, full_problem.unknowns, g.balls)
     return BearingState(
@@ -60,16 +65,6 @@ def solved(
         ball_centre=np.moveaxis(centre, -2, 0),
         **{name: value.reshape((*shape, *value.shape[1:])) for name, value in states.items()},
     )
-
-
-def _compiled(g: Geometry, operation: Operation) -> bool:
-    """Whether the compiled solver pays for these points; an axial state counts as one ball."""
-    from bearings.ring.compiled.states import pays
-
-    if isinstance(operation.law, Laws):  # it takes states of one law
-        return False
-    balls = int(np.where(operation.axial, 1, g.balls).sum())
-    return pays(balls, g)
 
 
 def _groups(
@@ -96,8 +91,8 @@ def _neighbour(
     """Start (d, X) from neighbouring states; ``first`` and seats at rest where one is missing."""
     theirs, ours = start.operation.grooves, operation.grooves
     if any(getattr(theirs, name) != getattr(ours, name) for name in ALIKE):
-        names = ", ".join(ours.contacts)
-        raise InvalidBearing(f"start must be a state of a bearing of this kind, contacts {names}")
+        names = ", ".join(ours.raceways)
+        raise InvalidBearing(f"start must be a state of a bearing of this kind, raceways {names}")
     if start.outcome.shape != operation.shape or start.inner_load.shape[-1] != (
         problem.geometry.balls
     ):
@@ -124,7 +119,7 @@ def _neighbour(
 def _blank(problem: Problem, operation: Operation, outcome: Words) -> Arrays:
     """Arrays for every field, NaN until a state is solved."""
     g = problem.geometry
-    contacts = (g.balls, len(g.inner_grooves) + len(g.outer_grooves))
+    contacts = (g.balls, len(g.sides))
     shapes = {"residual": (), "load": (5,), "displacement": (5,), "complete_stiffness": (5, 5)}
     shapes |= dict.fromkeys(BY_BALL, (g.balls,)) | dict.fromkeys(BY_CONTACT, contacts)
     shapes |= {"ball_centre": (problem.unknowns, g.balls)}
@@ -155,14 +150,17 @@ def _store(states: Arrays, index: Index, problem: Problem, solution: Solution) -
 
 def _of_balls(problem: Problem, solution: Solution) -> Arrays:
     """Fields of the states by ball and by contact."""
-    g, b, (load, sin, cos) = problem.geometry, solution.balance, solution.contacts
+    g, b = problem.geometry, solution.balance
+    load, sin, cos = _by_side(g, solution.contacts)
     qi, qo, mg = b.inner_load, b.outer_load, b.gyroscopic_moment
     inner, outer = g.races
     pressure = np.concatenate(
         [g.inner.peak_pressure(load[inner]), g.outer.peak_pressure(load[outer])]
     )
     angle = np.arctan2(g.sides[:, None, None] * sin, cos)
-    inner_angle = angle[0] if g.single else np.arctan2(*b.inner_direction)
+    inner_angle, outer_angle = np.arctan2(*b.inner_direction), np.arctan2(*b.outer_direction)
+    if g.single:  # also without load the directions of the contacts
+        inner_angle, outer_angle = np.arctan2(solution.contacts.sin, solution.contacts.cos)
     idle = "lost contact" if problem.turning else "unloaded"
     word = np.where((inner_angle < 0.0) & (not g.both_ways), "open side", "loaded")
     by_contact = (load, np.where(load > 0.0, angle, np.nan), pressure)
@@ -170,7 +168,7 @@ def _of_balls(problem: Problem, solution: Solution) -> Arrays:
         "inner_load": qi,
         "outer_load": qo,
         "inner_angle": inner_angle,
-        "outer_angle": angle[1] if g.single else np.arctan2(*b.outer_direction),
+        "outer_angle": outer_angle,
         "inner_pressure": pressure[inner].max(axis=0),
         "outer_pressure": pressure[outer].max(axis=0),
         "centrifugal_force": np.broadcast_to(b.centrifugal_force, qi.shape),
@@ -181,6 +179,16 @@ def _of_balls(problem: Problem, solution: Solution) -> Arrays:
         ),
         "status": np.where(qi > 0.0, word, idle),
     } | {name: np.moveaxis(v, 0, -1) for name, v in zip(BY_CONTACT, by_contact, strict=True)}
+
+
+def _by_side(g: Geometry, of_grooves: Contacts) -> Contacts:
+    """Contacts (c, s, n) as in results: one groove a ring bears on the side of its angle."""
+    if not g.by_side:
+        return of_grooves
+    load, sin, cos = (part[g.groove_of] for part in of_grooves)
+    one_arc = g.by_contact(len(g.inner_grooves) == 1, len(g.outer_grooves) == 1)
+    elsewhere = (sin > -STRAIGHT) != (g.sides > 0.0)[:, None, None]
+    return Contacts(np.where(one_arc[:, None, None] & elsewhere, 0.0, load), sin, cos)
 
 
 def _required_friction(moment: Array, load: Array, diameter: float) -> Array:

@@ -29,8 +29,8 @@ class BearingState:
     over its load. ``complete_stiffness`` (…, 5, 5).
 
     By contact (…, balls, contacts), in the order of the bearing's ``contact_names``:
-    ``contact_load`` [N], ``contact_angle`` [rad] (NaN without load; in a bearing of one groove a
-    ring negative on the side away from thrust), ``contact_pressure`` [Pa].
+    ``contact_load`` [N], ``contact_angle`` [rad] (NaN without load; where contacts are i and o
+    negative on the side away from thrust), ``contact_pressure`` [Pa].
 
     By ball (…, balls): ``inner_load``, ``outer_load`` [N]: resultants of the races;
     ``inner_angle``, ``outer_angle`` [rad]: their directions; ``inner_pressure``,

@@ -24,7 +24,7 @@ LOAD = np.array([1200.0, 0.0, 900.0, 5.0, 0.0])  # Noël (2013), 3.3.1
 @contextmanager
 def solver(*, compiled: bool) -> Iterator[None]:
     """Every solution within the context, nested ones included, is compiled or is not."""
-    with mock.patch("bearings.ring.request._compiled", return_value=compiled):
+    with mock.patch("bearings.ring.request.pays", return_value=compiled):
         yield
 
 

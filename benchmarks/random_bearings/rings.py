@@ -10,6 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from bearings.ball.law import Law
+from bearings.ring.operation import operation
+from bearings.ring.request import solved
 from bearings.ring.state import BearingState
 from benchmarks.random_bearings.judged import OPEN, UNEQUAL, judged
 from tests.oracles.random_states import (
@@ -50,21 +53,20 @@ class Asked:
     static: Array
     growth: Array
 
-    @property
-    def how(self) -> dict[str, Any]:
-        """Arguments of ``equilibrium`` besides load, displacement and start."""
-        circumstances = dict(speed=self.speed, static_growth=self.static, growth=self.growth)
-        return circumstances | self.drawn.how
-
     def solve(
         self, start: BearingState | None = None, *, compiled: bool | None = None
     ) -> BearingState:
-        """All states in one call."""
-        force = np.where(self.free, self.load, np.nan)
-        move = np.where(self.free, np.nan, self.displacement)
-        return self.drawn.bearing.equilibrium(
-            load=force, displacement=move, start=start, compiled=compiled, **self.how
+        """All states in one call, also under thrust on the open side, which a bearing refuses."""
+        points = operation(
+            self.drawn.bearing.grooves,
+            Law(**self.drawn.how),
+            load=np.where(self.free, self.load, np.nan),
+            displacement=np.where(self.free, np.nan, self.displacement),
+            speed=self.speed,
+            static_growth=self.static,
+            growth=self.growth,
         )
+        return solved(points, start, compiled)
 
     def only(self, row: int) -> Asked:
         """One of the states alone."""

@@ -85,15 +85,13 @@ def survey_sweeps(count: int, friction: float | None = None) -> dict[str, Any]:
 
 def sweep(asked: Asked, by: str, part: Array) -> BearingState:
     """The first state with its load or speed multiplied by each ``part``."""
-    one = np.ones_like(part)
-    load = np.outer(part if by == "load" else one, asked.load[0])
-    return asked.drawn.bearing.equilibrium(
-        load=load,
-        speed=asked.speed[0] * (part if by == "speed" else one),
-        static_growth=asked.static[0],
-        growth=asked.growth[0],
-        **asked.drawn.how,
-    )
+    count = len(part)
+    first: dict[str, Any] = {
+        name: np.repeat(getattr(asked, name)[:1], count, axis=0)
+        for name in ("load", "displacement", "speed", "static", "growth")
+    }
+    scaled = (first[by].T * part).T
+    return replace(asked, **first | {by: scaled}).solve()
 
 
 def _jumps(asked: Asked, by: str) -> dict[str, Any]:

@@ -154,10 +154,10 @@ def contact_heat(state: PreloadState, flow: Flow) -> tuple[Array, Flags]:
     by_batch: dict[int, Array] = {}
     for k, (balls, column) in enumerate(state.seat_states()):
         if id(balls) not in by_batch:
-            split = len(balls.operation.grooves.inner_offsets)
+            inner, outer = balls.operation.geometry.races
             power = bearings.heat.sliding(balls, flow.friction).power.sum(axis=-2)
             by_batch[id(balls)] = np.stack(
-                [power[..., :split].sum(axis=-1), power[..., split:].sum(axis=-1)], axis=-1
+                [power[..., inner].sum(axis=-1), power[..., outer].sum(axis=-1)], axis=-1
             )
         heat[:, k] = by_batch[id(balls)][:, column]
     usable = np.array([outcome == "" for outcome in state.outcome])

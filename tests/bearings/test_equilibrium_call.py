@@ -13,10 +13,11 @@ from bearings import (
     AngularContactBallBearing,
     BearingError,
     DeepGrooveBallBearing,
+    Follower,
     InvalidBearing,
     NoEquilibrium,
 )
-from tests.oracles.known_bearings import HARRIS_209, RPM, VEX70
+from tests.oracles.known_bearings import HARRIS_209_DEEP, RPM, VEX70
 
 THRUST = [1000.0, 0.0, 0.0, 0.0, 0.0]
 FAST = 30000.0 * RPM
@@ -128,10 +129,41 @@ def test_no_load_is_no_definite_state(speed: float) -> None:
 
 def test_thrust_the_wrong_way_is_named() -> None:
     """The grooves would carry it, the ring without a shoulder does not: every ball says so."""
-    s = VEX70.equilibrium(load=[[-500.0, 0, 0, 0, 0], THRUST])
+    d = VEX70.equilibrium(load=THRUST).displacement
+    through = [-2.0 * 0.1 * 9.525e-3 * math.sin(math.radians(25.0)), 0, 0, 0, 0] - d
+    s = VEX70.equilibrium(displacement=[through, d])
     assert (s.status[0] == "open side").all()
     assert (s.inner_angle[0] < 0.0).all()
     assert (s.status[1] == "loaded").all()
+
+
+NAN = math.nan
+
+
+@pytest.mark.parametrize(
+    ("load", "displacement"),
+    [
+        ([-500.0, 0, 0, 0, 0], None),
+        ([THRUST, [-500.0, 0, 0, 0, 0]], None),
+        ([-500.0, 2e3, 0, 0, 0], None),
+        ([-500.0, NAN, NAN, NAN, NAN], [NAN, 1e-6, 0, 0, 0]),
+        ([[[-500.0, 10.0, 0, NAN, NAN]]], [NAN, NAN, NAN, 0, 0]),
+    ],
+)
+def test_thrust_that_a_kind_cannot_take_is_refused(load: Any, displacement: Any) -> None:
+    """By both doors with the sentence of a case file; a negative zero and rounding are none."""
+    said = r"towards \+x only: got -500 N, allowed: 0 N or more.*turn the bearing round"
+    with pytest.raises(InvalidBearing, match=said):
+        VEX70.equilibrium(load=load, displacement=displacement)
+    if displacement is None:
+        with pytest.raises(InvalidBearing, match=said):
+            Follower(VEX70).displacement(load)
+
+
+def test_thrust_that_is_rounding_is_not_refused() -> None:
+    for axial in (0.0, -0.0, -1e-8):
+        assert VEX70.equilibrium(load=[axial, 500.0, 0, 0, 0]).outcome == ""
+    assert VEX70.equilibrium(load=[0.0, 500.0, 0, 0, -10.0]).outcome == ""
 
 
 def test_batch_carries_an_outcome_per_state() -> None:
@@ -181,8 +213,8 @@ def test_defaults_are_hybrid_and_equal() -> None:
     assert np.array_equal(a.inner_load, b.inner_load)
 
 
-def test_zero_contact_angle_carries_thrust_both_ways() -> None:
-    s = HARRIS_209.equilibrium(load=[[800.0, 0, 0, 0, 0], [-800.0, 0, 0, 0, 0]])
+def test_a_deep_groove_of_no_clearance_carries_thrust_both_ways() -> None:
+    s = HARRIS_209_DEEP.equilibrium(load=[[800.0, 0, 0, 0, 0], [-800.0, 0, 0, 0, 0]])
     assert s.displacement[0, 0] == pytest.approx(-s.displacement[1, 0], rel=1e-10)
 
 

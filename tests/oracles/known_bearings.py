@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from bearings import AngularContactBallBearing, Material
+from bearings import AngularContactBallBearing, DeepGrooveBallBearing, Material
 
 RPM = 2.0 * math.pi / 60.0
 DEGREE = math.pi / 180.0
@@ -53,6 +53,15 @@ HARRIS_209 = AngularContactBallBearing(
     contact_angle=0.0,
     inner_conformity=0.52,
     outer_conformity=0.52,
+    ball_material=HARRIS_STEEL,
+    ring_material=HARRIS_STEEL,
+)
+
+HARRIS_209_DEEP = DeepGrooveBallBearing(
+    ball_diameter=12.7e-3,
+    pitch_diameter=65e-3,
+    balls=9,
+    radial_clearance=0.0,
     ball_material=HARRIS_STEEL,
     ring_material=HARRIS_STEEL,
 )

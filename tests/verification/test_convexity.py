@@ -44,7 +44,7 @@ def test_the_potential_falls_at_every_step(kind: str) -> None:
         steps.extend(change / (np.abs(before) + np.abs(change) + 1e-300))
         return after
 
-    batched = mock.patch("bearings.ring.request._compiled", return_value=False)
+    batched = mock.patch("bearings.ring.request.pays", return_value=False)
     with batched, mock.patch.object(convex_stage, "_searched", watched):
         for number in range(6):
             asked = replace(draw(kind, number, 20), dynamics="frozen")
@@ -74,7 +74,7 @@ def test_a_ring_tilted_far_finds_its_way_from_rest(compiled: bool) -> None:
     """Balls opposite the load end on the straight wall beyond 90°, pressed along the axis alone."""
     asked = draw("four point", 312, 50)
     near, one = _alone(asked, 3), _alone(asked, 4)
-    cold = mock.patch("bearings.ring.request._compiled", return_value=compiled)
+    cold = mock.patch("bearings.ring.request.pays", return_value=compiled)
     with cold:
         there = one.solve()
     assert there.outcome.tolist() == [""]
@@ -114,7 +114,7 @@ def test_a_ring_displaced_far_has_a_state(
         displacement=times * asked.displacement,
         dynamics="frozen",
     )
-    with mock.patch("bearings.ring.request._compiled", return_value=compiled):
+    with mock.patch("bearings.ring.request.pays", return_value=compiled):
         there = far.solve()
     assert there.outcome.tolist() == [""]
     assert np.degrees(np.abs(there.inner_angle)).max() == pytest.approx(90.0, abs=1e-6)

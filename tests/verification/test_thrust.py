@@ -82,7 +82,7 @@ def test_inclined_axes_beyond_90_degrees_are_results_of_the_bearing() -> None:
     ("load", "sentence"),
     [
         ([5000.0, 10.0, 0.0, 0.0, 0.0], "carries no radial load: got 10 N.*displacement"),
-        ([-5.0, 0.0, 0.0, 0.0, 0.0], r"thrust towards \+x only: got -5 N"),
+        ([-5.0, 0.0, 0.0, 0.0, 0.0], r"axial load towards \+x only: got -5 N"),
         ([100.0, 0.0, 0.0, 100.0, 0.0], "under 100 N of thrust .* got 100 N·m; raise the thrust"),
         ([0.0, 0.0, 0.0, 0.0, 1.0], "a moment up to 0 N·m"),
     ],

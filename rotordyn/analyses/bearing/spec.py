@@ -124,12 +124,6 @@ class BearingMapSpec(Spec):
             self.mounted(bearing)
         except InvalidBearing as refusal:
             yield ("flexible_rings",), f"{refusal}"
-        if self.axial_load < 0.0 and not bearing.both_ways:
-            yield (
-                ("axial_load",),
-                f"the bearing carries axial load towards +x only: got {self.axial_load:g} N, "
-                "allowed: 0 N or more, since its rings have one shoulder each",
-            )
         free = (*(True,) * 3, *(self.tilt != "blocked",) * 2)
         fixed = {name: getattr(self, key) for name, key in FIXED.items()}
         single = [(FIXED[name], {name: fixed[name]}) for name in (AXIAL, RADIAL)]
