@@ -620,3 +620,10 @@ def test_a_drawbar_pulls_straight_between_its_guides(guides: Any) -> None:
     moved = receptance(spindle, conditions)[0].real
     found = solved(spindle, PointLoad(0.25, Fy=100.0), conditions=conditions)
     assert at(found, "deflection_y", 0.25) == pytest.approx(moved, rel=1e-8)
+    # the moments are those that curve the shaft: between the ends of every element h M / EI
+    slope, moment, x = (
+        v.reshape(-1, 2) for v in (found.slope_z, found.bending_moment_z, found.cut)
+    )
+    rigidity = E * math.pi / 64.0 * (0.03**4 - 0.012**4)
+    turned = np.diff(x)[:, 0] * moment.mean(axis=1) / rigidity
+    np.testing.assert_allclose(np.diff(slope)[:, 0], turned, atol=1e-6 * np.abs(turned).max())

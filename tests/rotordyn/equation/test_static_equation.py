@@ -127,6 +127,18 @@ def test_rigid_supports_that_elasticity_does_not_distinguish_are_undetermined(
     assert moved[-1, 1] == pytest.approx(tip, rel=1e-9)
 
 
+def test_a_shaft_goes_the_other_way_than_its_rings_are_offset() -> None:
+    """Two rigid rings, thicker by e on one side, move the shaft by −e there and straight between."""
+    pin = LinearSupport("pin", 0.0, rigid=("x", "y", "z", "thx"))
+    slide = LinearSupport("slide", LENGTH, rigid=("y", "z"))
+    solver = equation(shaft(Section(LENGTH, DIAMETER, 0.0, STEEL), supports=(pin, slide)))
+    none, offset = np.zeros((1, solver.mesh.nodes, 6)), np.zeros((2, 6))
+    offset[:, 1] = 3e-6, -1e-6
+    line = np.zeros((solver.mesh.nodes - 1, 2, 3))
+    moved = solver.solve(AT_REST, None, [Acting(none, line, offset)])[0].moved[0, :, 1]
+    assert moved == pytest.approx(np.interp(solver.mesh.x, [0.0, LENGTH], [-3e-6, 1e-6]), abs=1e-17)
+
+
 def test_nothing_holds_the_shaft() -> None:
     with pytest.raises(Undetermined):
         loaded(shaft(Section(LENGTH, DIAMETER, 0.0, STEEL), supports=()), np.eye(6)[1])
