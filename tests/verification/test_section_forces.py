@@ -626,4 +626,4 @@ def test_a_drawbar_pulls_straight_between_its_guides(guides: Any) -> None:
     )
     rigidity = E * math.pi / 64.0 * (0.03**4 - 0.012**4)
     turned = np.diff(x)[:, 0] * moment.mean(axis=1) / rigidity
-    np.testing.assert_allclose(np.diff(slope)[:, 0], turned, atol=1e-6 * np.abs(turned).max())
+    np.testing.assert_allclose(np.diff(slope)[:, 0], turned, atol=5e-6 * np.abs(turned).max())
