@@ -55,17 +55,16 @@ def _race(x: Insides, side: float) -> tuple[Array, Array, Array]:
     rolling = side * ball * x.gamma / (1.0 - side * x.gamma)
     groove = -1.0 / (conformity * x.ball_diameter)
     total = 2.0 * ball + rolling + groove
-    approach, area = np.exp(_interpolated(-np.log1p(-(rolling - groove) / total)))
+    approach, area = np.exp(interpolated(-np.log1p(-(rolling - groove) / total)))
     return total, approach, area
 
 
-def _interpolated(where: Array) -> Array:
+def interpolated(where: Array) -> Array:
     """ln δ* and ln a* b* at −ln(1 − F(ρ)), shape (2, …), within 2e-8."""
     from numpy.polynomial.chebyshev import chebval
 
     low, high, coefficients = _series()
-    values: Array = chebval((2.0 * where - low - high) / (high - low), coefficients)
-    return values
+    return np.asarray(chebval((2.0 * where - low - high) / (high - low), coefficients))
 
 
 @cache

@@ -26,7 +26,7 @@ from bearings import (
 from bearings.catalogue import estimate as estimating
 from bearings.catalogue.estimate import _range
 from bearings.catalogue.plausible import TIGHTEST, usual
-from bearings.catalogue.races import _interpolated, contact_stiffness, static_rating
+from bearings.catalogue.races import contact_stiffness, interpolated, static_rating
 from bearings.contact.hertz import curvature_difference, dimensionless
 from bearings.geometry import geometry
 from bearings.life.rating import Insides, rating
@@ -374,7 +374,7 @@ def test_the_table_of_contacts_is_that_of_hertz() -> None:
     for ellipticity in np.exp(np.linspace(0.06, 7.9, 331)):
         where = -math.log1p(-curvature_difference(ellipticity))
         a, b, delta = dimensionless(ellipticity)
-        assert np.exp(_interpolated(where)) == pytest.approx([delta, a * b], rel=2e-8)
+        assert np.exp(interpolated(where)) == pytest.approx([delta, a * b], rel=2e-8)
 
 
 @pytest.mark.parametrize("known", KNOWN)

@@ -22,7 +22,10 @@ KINDS = {
 @pytest.mark.parametrize("form", [np.array, scipy.sparse.coo_array])
 @pytest.mark.parametrize("field", ["real", "integer"])
 def test_a_matrix_comes_back_as_written(symmetry: str, form: type, field: str) -> None:
-    matrix, file = np.trunc(KINDS[symmetry]) if field == "integer" else KINDS[symmetry], io.BytesIO()
+    matrix, file = (
+        np.trunc(KINDS[symmetry]) if field == "integer" else KINDS[symmetry],
+        io.BytesIO(),
+    )
     scipy.io.mmwrite(file, form(matrix), comment="a note", field=field, symmetry=symmetry)
     read = MarketFile(file.getvalue())
     assert read.shape == matrix.shape
@@ -33,7 +36,10 @@ def test_entries_given_twice_are_added_and_a_pattern_is_ones() -> None:
     head = b"%%MatrixMarket matrix coordinate "
     twice = head + b"real general\n%\n2 2 3\n1 1 1.0\n\n1 1 2.5\n2 1 4\n"
     assert MarketFile(twice).matrix().tolist() == [[3.5, 0.0], [4.0, 0.0]]
-    assert MarketFile(head + b"pattern symmetric\n2 2 1\n2 1\n").matrix().tolist() == [[0, 1], [1, 0]]
+    assert MarketFile(head + b"pattern symmetric\n2 2 1\n2 1\n").matrix().tolist() == [
+        [0, 1],
+        [1, 0],
+    ]
 
 
 @pytest.mark.parametrize(
