@@ -160,10 +160,11 @@ def of_class(
     """
     listed: list[Change] = []
     before = [seat.preloads for seat in old.seats]
-    if not changes and old.arrangement and old.arrangement.preload:
+    kept = all(change.steps and change.steps[0] != "preload" for change in changes)
+    if kept and old.arrangement and old.arrangement.preload:
         held = old.arrangement.preload.maker_class
         if held and [seat.preloads for seat in seats] != before:
-            changes = [replace(inner[0], value=held, steps=OF_CLASS)]
+            changes = [*changes, replace(inner[0], value=held, steps=OF_CLASS)]
     for change in changes:
         if change.steps != OF_CLASS:
             listed.append(change)

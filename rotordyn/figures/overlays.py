@@ -15,7 +15,7 @@ import numpy as np
 from rotordyn.figures import stations
 from rotordyn.figures.curve_groups import BEYOND, Group, Layer, groups_of, limit_ordinate
 from rotordyn.figures.curves import draw_references
-from rotordyn.figures.end_names import NAMES, End, name_ends
+from rotordyn.figures.end_names import NAMES, End, name_ends, numbered
 from rotordyn.figures.legends import shortened, top_legend
 from rotordyn.figures.panels import Box
 from rotordyn.figures.style import (
@@ -114,7 +114,7 @@ def overlay_figure(
         label = curve.along if strip or is_lowest else ""
         axes = add_axes(figure, above, "" if strip else label, _ordinate(curve, several=several))
         if place == 0:
-            _entries(axes, groups, variants, looks)
+            _entries(axes, groups, variants, looks, numbers=names)
         lines = _draw(axes, group, looks)
         _draw_known(axes, group, variants, looks)
         _finish(axes, curve, above[2], labelled=bool(label) and not strip, top=place < columns)
@@ -311,8 +311,11 @@ def _note(axes: Axes, words: str) -> None:
     )
 
 
-def _entries(axes: Axes, groups: Sequence[Group], variants: Sequence[Shown], looks: Looks) -> None:
-    """Add an entry of the legend for every variant, unless they are many, and every series."""
+def _entries(
+    axes: Axes, groups: Sequence[Group], variants: Sequence[Shown], looks: Looks, *, numbers: bool
+) -> None:
+    """Add an entry of the legend for every variant, unless they are many, and every series;
+    ``numbers``: of the variants before their titles."""
     layers = [layer for group in groups for layer in group.layers]
     solved = {k for k, c in layers if (np.isfinite(c.y) | (c.y > c.ceiling)).any()}
     dotted = all(curve.dotted for _, curve in layers)
@@ -322,7 +325,8 @@ def _entries(axes: Axes, groups: Sequence[Group], variants: Sequence[Shown], loo
             look["ls"] = "-"
         elif dotted:
             look |= _dots(look)
-        title = variant.title if place in solved else f"{variant.title}: none"
+        title = numbered(place, variant.title) if numbers else variant.title
+        title += "" if place in solved else ": none"
         axes.plot([], [], label=title, **look)
     for series in looks.series if len(looks.series) > 1 else ():
         axes.plot([], [], color=BLACK, lw=1.2, ls=looks.dash(series), label=series)
