@@ -19,8 +19,7 @@ LINE = 1.25 * SIZE * 25.4 / 72.0  # [mm]: height of a name
 
 
 class End(NamedTuple):
-    """End of a curve at the right edge, its name and colour; ``whose``: index of its variant, whose
-    number is before the name as in the legend, so that colour is not needed to tell it."""
+    """End of a curve at the right edge, its name and colour; ``whose``: index of its variant."""
 
     height: float
     name: str
@@ -56,17 +55,7 @@ def name_ends(axes: Axes, ends: Sequence[End], tall: float) -> None:
     axes.add_collection(lines, autolim=False)
     look: dict[str, Any] = {"ha": "left", "va": "center", "fontsize": SIZE}
     for end, at in zip(shared, placed, strict=True):
-        name = numbered(end.whose, end.name)
-        axes.text(right + 0.024 * frame, at, name, color=end.colour, **look)
-
-
-def numbered(place: int, name: str) -> str:
-    """A name that begins with the number of a variant.
-
-    >>> numbered(0, "bending 1")
-    '1: bending 1'
-    """
-    return f"{place + 1}: {name}"
+        axes.text(right + 0.024 * frame, at, end.name, color=end.colour, **look)
 
 
 def _shared(ends: Sequence[End], distance: float) -> list[End]:

@@ -15,7 +15,7 @@ import numpy as np
 from rotordyn.figures import stations
 from rotordyn.figures.curve_groups import BEYOND, Group, Layer, groups_of, limit_ordinate
 from rotordyn.figures.curves import draw_references
-from rotordyn.figures.end_names import NAMES, End, name_ends, numbered
+from rotordyn.figures.end_names import NAMES, End, name_ends
 from rotordyn.figures.legends import shortened, top_legend
 from rotordyn.figures.panels import Box
 from rotordyn.figures.style import (
@@ -140,10 +140,15 @@ def overlay_figure(
 def _ends(layers: Sequence[Layer], looks: Looks) -> list[End]:
     """Return the ends of the named curves that reach the right edge."""
     return [
-        End(float(curve.y[-1]), curve.end, looks.colours[place], place)
+        End(float(curve.y[-1]), _numbered(place, curve.end), looks.colours[place], place)
         for place, curve in layers
         if curve.end and np.isfinite(curve.y[-1])
     ]
+
+
+def _numbered(place: int, name: str) -> str:
+    """A name with the number of its variant, which tells it without colour."""
+    return f"{place + 1}: {name}"
 
 
 def _ordinate(curve: Curve, *, several: bool) -> str:
@@ -325,7 +330,7 @@ def _entries(
             look["ls"] = "-"
         elif dotted:
             look |= _dots(look)
-        title = numbered(place, variant.title) if numbers else variant.title
+        title = _numbered(place, variant.title) if numbers else variant.title
         title += "" if place in solved else ": none"
         axes.plot([], [], label=title, **look)
     for series in looks.series if len(looks.series) > 1 else ():
