@@ -16,6 +16,7 @@ from bearings import (
     InvalidBearing,
     NoEquilibrium,
 )
+from bearings.ring.condition import condition
 from tests.oracles.known_bearings import HARRIS_209, RPM, VEX70
 
 THRUST = [1000.0, 0.0, 0.0, 0.0, 0.0]
@@ -132,6 +133,18 @@ def test_thrust_the_wrong_way_is_named() -> None:
     assert (s.status[0] == "open side").all()
     assert (s.inner_angle[0] < 0.0).all()
     assert (s.status[1] == "loaded").all()
+
+
+def test_turning_the_bearing_round_helps_against_thrust_alone() -> None:
+    """A moment or a radial load finds the open side either way."""
+    pushed, tilted, radial = (
+        str(condition(VEX70.equilibrium(load=load)))
+        for load in ([-100.0, 0, 0, 0, 0], [0, 0, 0, 5.0, 0], [0, 100.0, 0, 0, 0])
+    )
+    assert "raise the thrust, or turn the bearing round" in pushed
+    for said in (tilted, radial):
+        assert "raise the thrust" in said
+        assert "turn the bearing" not in said
 
 
 def test_batch_carries_an_outcome_per_state() -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 import rotordyn
 from rotordyn.cli.screen import MOST_WARNINGS, on_screen
 from rotordyn.results.by_variant import by_variant
-from rotordyn.results.gravity import Gravity, gravest_first, graded, gravity_of
+from rotordyn.results.gravity import Gravity, graded, gravest_first, gravity_of
 from rotordyn.results.text import opening
 
 

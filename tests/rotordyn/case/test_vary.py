@@ -324,6 +324,8 @@ WRONG = {
     "analyses.bearing.loads": ((1.0,), "does not apply to a spindle"),
     "tool.sections.nosuch.length": (0.05, "unknown name 'nosuch' in 'tool.sections'"),
     "spindle.shaft.sections.nose.material.density": ("8 g", "'g' is not a unit of density"),
+    "shaft.sections.nose.material.density": (0.284, "mean 0.284 lb/in.3 = 7861.09 kg/m.3"),
+    "shaft.sections.*.material.density": ("0.284 kg/m^3", "mean 0.284 lb/in.3"),
     "spindle.fits.shft": ("k5", "unknown key: given 'shft'; .*did you mean shaft"),
     "spindle.fits.shaft": ("k5", "fits contradict a given growth"),
     "conditions.temperatures.shft": (40.0, "did you mean shaft"),
@@ -487,3 +489,18 @@ def test_a_mapping_is_called_one_in_a_sentence() -> None:
         rotordyn.vary(case, {"conditions.kinematics": {"a": 1}})
     assert "given a mapping" in str(refused.value)
     assert "Node" not in str(refused.value)
+
+
+def test_values_nested_without_end_are_refused_in_one_sentence() -> None:
+    nested: list[Any] = []
+    for _ in range(5000):
+        nested = [nested]
+    for call in (
+        lambda: case().vary({"speeds": nested}),
+        lambda: case().vary({"title": nested}),
+        lambda: case().vary(nested),  # type: ignore[arg-type]
+        lambda: rotordyn.load(nested),  # type: ignore[arg-type]
+        lambda: Spring(nested),  # type: ignore[arg-type]
+    ):
+        with pytest.raises(InvalidInput, match=r"nested (too deeply|deeper)"):
+            call()
