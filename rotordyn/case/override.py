@@ -27,7 +27,9 @@ def apply(
 def _put(value: Node, steps: list[str], target: Node, faults: Faults, opened: Open) -> None:
     step, rest = steps[0], steps[1:]
     target.shared = False
-    if step == "*" and isinstance(target.value, dict | list):
+    if (step in OF_RANGE and _is_list_of_values(target)) or (step == "*" and _is_range(target)):
+        faults.at_key(value, of_range(_way(value, steps)))
+    elif step == "*" and isinstance(target.value, dict | list):
         _put_everywhere(value, rest, target, faults, opened)
     elif isinstance(target.value, list):
         place = _place(value, steps, target, faults)
@@ -38,8 +40,6 @@ def _put(value: Node, steps: list[str], target: Node, faults: Faults, opened: Op
     elif not isinstance(target.value, dict):
         if target.value is not UNKNOWN:
             faults.at_key(value, too_far(_way(value, steps)))
-    elif step in OF_RANGE and target.value and {*target.value} <= {*OF_RANGE}:
-        faults.at_key(value, of_range(_way(value, steps)))
     elif rest:
         path = value.path.removesuffix("." + ".".join(rest))
         absent = Node({}, value.file, value.line, value.column, path, key=value.key)
@@ -48,6 +48,15 @@ def _put(value: Node, steps: list[str], target: Node, faults: Faults, opened: Op
         _put(value, rest, target.value[step], faults, opened)
     else:
         target.value[step] = value.copy()
+
+
+def _is_list_of_values(target: Node) -> bool:
+    plain = isinstance(target.value, list) and not any(item.name for item in target.value)
+    return (plain and bool(target.value)) or _is_range(target)
+
+
+def _is_range(target: Node) -> bool:
+    return 0 < len(target.entries()) == len({*target.entries()} & {*OF_RANGE})
 
 
 def _put_everywhere(

@@ -10,6 +10,7 @@ from typing import Annotated, Any
 
 from rotordyn.analyses.measured_response import Pair
 from rotordyn.case.case import Case
+from rotordyn.case.deeper import deeper
 from rotordyn.case.keys import COMMON, Common, PortPair, Range, keys_of
 from rotordyn.description import quantity_of
 from rotordyn.field import declared, found_in, kinds_of, metadata, parts_of
@@ -93,8 +94,6 @@ def from_top(path: str, spindle: bool, keys: Collection[str] = OF_CASE) -> str:
 def no_root(step: str, machine: Any) -> str:
     """Sentence on a first step of a path that is a key neither of a case nor of its ``machine``;
     empty if it is one."""
-    from rotordyn.case.deeper import deeper
-
     known = [*IN_FILES, *(field.keys[0] for field in keys_of(machine) if field.keys)]
     if step in known:
         return ""

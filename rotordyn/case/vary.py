@@ -54,7 +54,7 @@ from rotordyn.machine.reference import Reference, values_of
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.tool import Tool
-from rotordyn.quantity import Choice, Sweep, suggestion
+from rotordyn.quantity import Choice, suggestion
 from rotordyn.scene.conditions import HYPOTHESES, Conditions
 
 D = TypeVar("D")
@@ -293,7 +293,7 @@ def _no_field(kind: type, change: Change) -> None:
 def _items(annotation: Any, old: tuple[Any, ...], changes: Sequence[Change]) -> tuple[Any, ...]:
     ways = {(name,): k for k, name in enumerate(called_items(annotation, old), start=1)}
     what = "name" if hasattr(old[0], "name") else "number"
-    if found_in(annotation, Sweep) and changes and changes[0].steps[0] in OF_RANGE:
+    if what == "number" and changes and changes[0].steps[0] in OF_RANGE:
         raise changes[0].refused(of_range(way_to(changes[0])))
     refuse = partial(_require_known, known=[way[0] for way in ways], what=what)
     groups = _grouped(changes, ways, refuse, ways)

@@ -276,6 +276,19 @@ def test_the_order_of_overrides_does_not_matter(overridden: Override) -> None:
     assert overridden(*lines) == overridden(*lines[::-1])
 
 
+@pytest.mark.parametrize("speeds", ["[0 rpm]", "{from: 0 rpm, to: 900 rpm, step: 900 rpm}"])
+def test_what_only_a_range_has_is_no_path(speeds: str, tmp_path: Path) -> None:
+    file, said = tmp_path / "case.yaml", "'speeds' is a list of values: give it whole"
+    text = f"spindle: mfw2310\nspeeds: {speeds}\nanalyses: {{campbell: {{max_frequency: 1 kHz}}}}\n"
+    file.write_text(text)
+    with pytest.raises(InvalidInput, match=said):
+        rotordyn.load(file).vary({"speeds.to": "9000 rpm"})
+    file.write_text(f"{text}override: {{speeds.to: 9000 rpm}}\n")
+    with pytest.raises(InvalidInput, match=said) as found:
+        rotordyn.load(file)
+    assert len(found.value.faults) == 1
+
+
 def test_nothing_for_the_tool_takes_it_out(tmp_path: Path) -> None:
     file = tmp_path / "case.yaml"
     text = "spindle: mfw2310\nspeeds: [0 rpm]\nanalyses: {campbell: {max_frequency: 1 kHz}}\n"
