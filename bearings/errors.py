@@ -19,6 +19,8 @@ def shown(value: object, most: int = 60) -> str:
         text = " ".join(repr(value).split())
     except ValueError:  # an integer of more digits than Python writes
         text = f"a very large {type(value).__name__}"
+    except RecursionError:
+        text = f"a {type(value).__name__} nested too deeply to be shown"
     return text if len(text) <= most else text[: most - 3] + "..."
 
 

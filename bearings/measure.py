@@ -26,11 +26,12 @@ _UNITS = {
 _SI = {"length": " m", "pressure": " Pa", "density": " kg/m³", "thermal expansion": " 1/K"}
 # Units in which a number may be meant that is given where SI is expected: mm, µm; degrees; GPa,
 # MPa; g/cm³, t/mm³; µm/(m·K).
+WATER = 1000.0  # [kg/m³]
 _CONFUSED = {
     "length": (1e-3, 1e-6),
     "angle": (math.pi / 180.0,),
     "pressure": (1e9, 1e6),
-    "density": (1e3, 1e12),
+    "density": (1e3, 1e12, 0.45359237 / 0.0254**3),  # g/cm³, t/mm³, lb/in³
     "thermal expansion": (1e-6,),
 }
 
@@ -87,10 +88,14 @@ class Measure:
     def _doubt(self, value: float) -> str:
         """Question whether another unit was meant, in which the number would lie in the range."""
         meant = (value * factor for factor in _CONFUSED.get(self.quantity, ()))
-        likely = next(filter(self._holds, meant), None)
+        likely = next(filter(self._usual, meant), None)
         if likely is not None:
             return f" (did you mean {self.drawn(likely)}?)"
         return ": is the unit right?" if self.unit else ""
+
+    def _usual(self, value: float) -> bool:
+        """Whether a value in another unit is likely; no solid body of a bearing floats."""
+        return self._holds(value) and not (self.quantity == "density" and value < WATER)
 
     def _shown(self, value: float) -> str:
         return self.drawn(value) if self.quantity == "pressure" else self._given(value)

@@ -101,19 +101,28 @@ class Quantity(Limit):
 
     def _likely(self, value: float) -> str:
         """Question whether another unit was meant, in which the number would lie in the range."""
-        for unit in units.KINDS[self.kind]:
+        for unit in self._other_units:
             scaled = value * units.parse_unit(unit).scale
-            if scaled != value and math.isfinite(scaled) and self.holds(scaled):
+            if scaled != value and math.isfinite(scaled) and self._usual(scaled):
                 return f" (did you mean {value:.6g} {unit} = {self.written(scaled)}?)"
         return ""
+
+    @property
+    def _other_units(self) -> tuple[str, ...]:
+        """Units in which a number may be meant."""
+        return (*units.KINDS[self.kind], *(("lb/in^3",) if self.kind == "density" else ()))
+
+    def _usual(self, value: float) -> bool:
+        """Whether a value in another unit is likely; no part of a machine floats."""
+        return self.holds(value) and not (self.kind == "density" and value < 1000.0)
 
     def _likely_unit(self, value: float, given: str) -> str:
         """Question whether the number ``given`` with one unit was meant in another one."""
         unit = units.unit_of(given.strip("'"))
         number = units.in_unit(value, unit)
-        for other in units.KINDS[self.kind]:
+        for other in self._other_units:
             meant = number * units.parse_unit(other).scale
-            if other != unit and not math.isclose(meant, value) and self.holds(meant):
+            if other != unit and not math.isclose(meant, value) and self._usual(meant):
                 words = f"{number:.6g} {other}".strip()
                 return f" (did you mean {words}?)"
         return ""

@@ -89,9 +89,10 @@ def test_a_check_of_the_flagship_loads_no_numpy(tmp_path: Path) -> None:
     assert "numpy" not in packages(modules)
 
 
-def test_a_check_of_estimated_bearings_loads_no_scipy(tmp_path: Path) -> None:
-    """Loading it took more than half of the time of that check."""
-    loaded = modules_after(COMMAND_LINE, tmp_path, "check", "cases/grinding_spindle_catalogue.yaml")
+@pytest.mark.parametrize("case", ["grinding_spindle_catalogue", "spindle_on_housing"])
+def test_a_check_that_needs_numpy_loads_no_scipy(case: str, tmp_path: Path) -> None:
+    """Of estimated bearings and of a housing from files: loading it took half of their check."""
+    loaded = modules_after(COMMAND_LINE, tmp_path, "check", f"cases/{case}.yaml")
     assert "numpy" in packages(loaded)
     assert not packages(loaded) & SCIENCE
 

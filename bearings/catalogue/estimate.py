@@ -30,7 +30,8 @@ _SPARSE = 0.69  # share of the pitch circle that balls usually exceed
 _WHOLE_NEWTON = 0.29  # [N], standard deviation by rounding to whole newtons
 _REFINED = 4  # combinations of ball diameter and number whose grooves are refined
 _STEP = 0.005  # largest change of a conformity by refining
-_FINEST, _GRID = 1e-7, 7  # the same, of the last grid of the search; its points in a direction
+_FINEST = 1e-7  # the same, of the last grid of the search
+_GRID, _FINER = 11, 0.3  # points of a grid in a direction; size of the next, finer one
 _SEARCHES = 100  # at most
 _PHRASES = (
     ("balls", "{:.0f} balls ({:.0f}–{:.0f})", 1.0),
@@ -149,10 +150,12 @@ class EstimatedBearing(AngularContactBallBearing):
 
     def members(self, count: int = 24) -> tuple[AngularContactBallBearing, ...]:
         """Sample of equally likely bearings: the spread of any result is that over this sample."""
-        x, _, share = _weighed(self.catalogue)
+        x, likely, share = _weighed(self.catalogue)
+        every = x.spread_over(likely.shape)
         middles = (np.arange(count) + 0.5) / count
-        places = np.searchsorted(np.cumsum(share), middles).clip(0, len(share) - 1)
-        return tuple(AngularContactBallBearing(**_fields(x.at(k), self.catalogue)) for k in places)
+        places = np.searchsorted(np.cumsum(share), middles).clip(0, share.size - 1)
+        fields = (_fields(every.at(k), self.catalogue) for k in places)
+        return tuple(AngularContactBallBearing(**each) for each in fields)
 
     @property
     def _inside(self) -> Insides:
@@ -231,13 +234,13 @@ def likeliest(catalogue: Catalogue) -> EstimatedBearing:
 
 
 def _weighed(catalogue: Catalogue) -> tuple[Insides, Array, Array]:
-    """Return all plausible internal geometries, the logarithm of the posterior probability of each
-    up to a constant, and the probability, normalised to a sum of 1."""
+    """Return the grid of all plausible internal geometries, the logarithm of the posterior
+    probability of each up to a constant, and the probability, normalised to a sum of 1."""
     x, weight = plausible(catalogue)
     computed = _computed(x, catalogue)
     apart = _apart(computed, catalogue)
-    refuse_contradictions(catalogue, apart, computed, weight)
-    likely = weight - 0.5 * (apart**2).sum(axis=0)
+    refuse_contradictions(catalogue, apart, computed, weight.ravel())
+    likely = weight - 0.5 * (apart**2).sum(axis=0).reshape(weight.shape)
     share = np.exp(likely - likely.max())
     return x, likely, share / share.sum()
 
@@ -273,7 +276,9 @@ def _computed(x: Insides, catalogue: Catalogue) -> Array:
             rows.append(static_rating(x, catalogue.ball_material, catalogue.ring_material))
         else:
             rows.append(at[value.preload][0 if value.kind == "rigidity" else 1])
-    return np.array(rows).reshape(len(rows), np.size(x.balls))
+    shape = np.broadcast_shapes(*map(np.shape, x[:-1]))
+    full = [np.broadcast_to(row, shape).ravel() for row in rows]
+    return np.array(full).reshape(len(rows), math.prod(shape))
 
 
 def _deviation(value: Value) -> float:
@@ -292,10 +297,9 @@ def _refined(x: Insides, likely: Array, catalogue: Catalogue) -> Insides:
     """Return the likeliest internal geometry, its conformities refined between grid points."""
     free = [name for name in FIELDS[3:] if getattr(catalogue, name) is None]
     section = catalogue.outside_diameter - catalogue.bore
-    order = np.argsort(-likely)
-    balls = x.balls[order] + 1j * x.ball_diameter[order]  # sorted faster than rows of two numbers
-    _, first = np.unique(balls, return_index=True)
-    starts = [x.at(order[k]) for k in sorted(first)[:_REFINED]]
+    every, of_balls = x.spread_over(likely.shape), likely.reshape(len(likely), -1)
+    order = np.argsort(-of_balls.max(axis=1), kind="stable")[:_REFINED]
+    starts = [every.at(k * of_balls.shape[1] + int(of_balls[k].argmax())) for k in order]
     if not free:
         return starts[0]
 
@@ -317,7 +321,7 @@ def _refined(x: Insides, likely: Array, catalogue: Catalogue) -> Insides:
         best = found.argmin(axis=1)
         moved, centre, costs = centre, points[each, best], found[each, best]
         inside = (np.abs(centre - moved) < 0.99 * half[:, None]).all(axis=1)
-        half = np.where(inside, 0.5 * half, half)
+        half = np.where(inside, _FINER * half, half)
         if half.max() < _FINEST:
             break
     k = int(costs.argmin())
@@ -332,11 +336,13 @@ def _repeated(starts: Sequence[Insides], times: int, values: Mapping[str, Array]
 
 
 def _range(values: Array, share: Array, estimate: Any) -> tuple[float, float]:
-    """Range from the 5 to the 95 % quantile, extended to the refined estimate."""
-    order = np.argsort(values)
-    total = np.cumsum(share[order])
+    """Range from the 5 to the 95 % quantile of a value of the grid, extended to the refined
+    estimate."""
+    held = tuple(axis for axis, length in enumerate(values.shape) if length == 1)
+    order, marginal = np.argsort(values, axis=None), share.sum(axis=held).ravel()
+    total = np.cumsum(marginal[order])
     places = np.searchsorted(total, (0.05, 0.95)).clip(0, len(order) - 1)
-    low, high = values[order[places]]
+    low, high = values.ravel()[order[places]]
     return min(float(low), float(estimate)), max(float(high), float(estimate))
 
 

@@ -28,8 +28,13 @@ _STEP = 0.0254 / 64.0  # balls come in 64ths of an inch, larger ones in 32nds an
 
 
 def plausible(catalogue: Catalogue) -> tuple[Insides, Array]:
-    """Return all combinations as flat arrays of equal length, and the logarithm of the prior
-    probability of each up to a constant."""
+    """Return all combinations as a grid, and the logarithm of the prior probability of each up to
+    a constant.
+
+    The grid has axes of balls (diameter and number), inner and outer conformity; each value has
+    the length 1 along axes on which it does not depend, so that a race is computed once for all
+    conformities of the other one.
+    """
     pitch = catalogue.pitch_diameter or 0.5 * (catalogue.bore + catalogue.outside_diameter)
     section = catalogue.outside_diameter - catalogue.bore
     candidates = (
@@ -56,8 +61,8 @@ def plausible(catalogue: Catalogue) -> tuple[Insides, Array]:
         _CONFORMITIES if f is None else np.array([f])
         for f in (catalogue.inner_conformity, catalogue.outer_conformity)
     )
-    which, fi, fo = (a.ravel() for a in np.meshgrid(range(len(pairs)), inner, outer, indexing="ij"))
-    ball, count = np.array(pairs, dtype=float)[which].T
+    ball, count = np.array(pairs, dtype=float).T[:, :, None, None]
+    fi, fo = inner[None, :, None], outer[None, None, :]
     x = Insides(ball, count, np.full_like(ball, pitch), fi, fo, float(catalogue.contact_angle))
     return x, usual(x, section)
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -16,9 +16,6 @@ from bearings.arrays import Array
 from bearings.contact.hertz import curvature_difference, dimensionless
 from bearings.life.rating import STATIC_PRESSURE, Insides, steep
 from bearings.materials import Material
-
-if TYPE_CHECKING:
-    from numpy.polynomial import Chebyshev
 
 DEGREE = 32  # of the polynomials over the curvature difference
 
@@ -58,20 +55,27 @@ def _race(x: Insides, side: float) -> tuple[Array, Array, Array]:
     rolling = side * ball * x.gamma / (1.0 - side * x.gamma)
     groove = -1.0 / (conformity * x.ball_diameter)
     total = 2.0 * ball + rolling + groove
-    approach, area = _table()
-    where = -np.log1p(-(rolling - groove) / total)
-    return total, np.exp(approach(where)), np.exp(area(where))
+    approach, area = np.exp(interpolated(-np.log1p(-(rolling - groove) / total)))
+    return total, approach, area
+
+
+def interpolated(where: Array) -> Array:
+    """ln δ* and ln a* b* at −ln(1 − F(ρ)), shape (2, …), within 2e-8."""
+    from numpy.polynomial.chebyshev import chebval
+
+    low, high, coefficients = _series()
+    return np.asarray(chebval((2.0 * where - low - high) / (high - low), coefficients))
 
 
 @cache
-def _table() -> tuple[Chebyshev, Chebyshev]:
-    """ln δ* and ln a* b* over −ln(1 − F(ρ)), within 2e-8; splines of scipy take longer to load than
-    an estimate takes."""
-    from numpy.polynomial import Chebyshev
+def _series() -> tuple[float, float, Array]:
+    """Limits of −ln(1 − F(ρ)) and the Chebyshev series of ln δ* and ln a* b* between them; splines
+    of scipy take longer to load than an estimate takes."""
+    from numpy.polynomial.chebyshev import chebfit
 
     kappa = np.exp(np.linspace(0.05, 8.0, 160))
-    where = [-math.log1p(-curvature_difference(ellipticity)) for ellipticity in kappa]
+    where = np.array([-math.log1p(-curvature_difference(ellipticity)) for ellipticity in kappa])
     values: Any = np.log([dimensionless(ellipticity) for ellipticity in kappa])
-    parts = values[:, 2], values[:, 0] + values[:, 1]
-    approach, area = (Chebyshev.fit(where, part, DEGREE) for part in parts)
-    return approach, area
+    low, high = float(where.min()), float(where.max())
+    parts = np.column_stack((values[:, 2], values[:, 0] + values[:, 1]))
+    return low, high, chebfit((2.0 * where - low - high) / (high - low), parts, DEGREE)

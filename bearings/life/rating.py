@@ -73,6 +73,11 @@ class Insides(NamedTuple):
         """Select one geometry by index."""
         return Insides._make([*(values[place] for values in self[:-1]), self.contact_angle])
 
+    def spread_over(self, shape: tuple[int, ...]) -> Insides:
+        """All geometries of a grid of this shape, as flat arrays of equal length."""
+        flat = (np.broadcast_to(values, shape).ravel() for values in self[:-1])
+        return Insides._make([*flat, self.contact_angle])
+
     @property
     def gamma(self) -> Any:
         """γ = D cos α/dm."""

@@ -152,6 +152,11 @@ def _remarks(state: BearingState) -> list[tuple[Flags, str, Array]]:
     status, slipping = listed(state.status), listed(state.slipping)
     idle = (status == "lost contact") | (status == "unloaded")
     all_idle = idle.all(axis=1, keepdims=True)
+    open_side, backwards = status == "open side", state.load[..., 0].reshape(-1, 1) < 0.0
+    bare = (
+        "loaded on the open side (balls {balls}), where the rings have no shoulder: raise the "
+        "thrust"
+    )
     passes = (
         "contact ellipse passes the shoulder of the {} ring (balls {{balls}}), "
         "{{most:.2g}} % of its length lost"
@@ -171,12 +176,8 @@ def _remarks(state: BearingState) -> list[tuple[Flags, str, Array]]:
             "for two arcs, give none or a larger one",
             angle,
         ),
-        (
-            status == "open side",
-            "loaded on the open side (balls {balls}), where the rings have no shoulder: raise the "
-            "thrust, or turn the bearing round",
-            angle,
-        ),
+        (open_side & backwards, f"{bare}, or turn the bearing round", angle),
+        (open_side & ~backwards, bare, angle),
         (
             (required > tol.GROSS) & (state.operation.law.friction is None),
             "gross gyroscopic slip (balls {balls} need a friction of {most:.2g}): raise the load, "

@@ -7,9 +7,8 @@ from dataclasses import replace
 from rotordyn import units
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node
-from rotordyn.machine.bearing_set import fitting
+from rotordyn.machine.bearing_set import CLASSES, fitting
 
-CLASSES = ("light", "medium", "heavy")
 WORDS = {"+": "+x", "-": "-x"}
 SIGNS = {word: sign for sign, word in WORDS.items()}
 
@@ -61,13 +60,14 @@ def _class(given: Node, seats: list[Node], faults: Faults) -> None:
     preload = given.entries("preload")
     if "class" not in preload:
         return
-    asked = preload.pop("class")
+    asked = preload["class"]
     printed = [printed_preloads(seat) for seat in seats]
     why = _unclear(asked, seats, printed)
     if not why and "class_force" in preload:
         why = "a class gives a class_force: given both; leave one of the two out"
     if why:
         faults.at(asked, why)
+        del preload["class"]
         preload["class_force"] = replace(asked, value="1 N")  # its fault is reported
     else:
         preload["class_force"] = replace(printed[0][asked.value], key=asked.key)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -16,10 +16,12 @@ from rotordyn.case.node import UNKNOWN, Node, merged
 from rotordyn.case.override import apply
 from rotordyn.case.reading import spread
 from rotordyn.case.table import tabled
+from rotordyn.case.varied import within_tool
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.flexible_rings import SIZES
 from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.tool import Tool
 
 # Folder of the models that a key names, by the last word of the key (``ball_material``).
 NAMED = {
@@ -121,7 +123,7 @@ def spindle(reference: Node, override: Mapping[str, Node], reader: Reader) -> No
     if root is None:
         return None
 
-    inner = {path: value for path, value in override.items() if _inner(path)}
+    inner = {path: value for path, value in override.items() if leads_into(path, _INNER)}
     outer = {path: value for path, value in override.items() if path not in inner}
     apply(outer, root, reader.faults, reader.opened)
     for seat in root.listed("bearings"):
@@ -135,19 +137,35 @@ def spindle(reference: Node, override: Mapping[str, Node], reader: Reader) -> No
     return root
 
 
+def of_tool(tool: Node, override: dict[str, Node], reader: Reader) -> None:
+    """Make the changes of a spindle in the ``tool`` in its nose where they mean what is of it;
+    those of nothing else are removed."""
+    changes: dict[str, Node] = {}
+    for path in [*override]:
+        inner = within_tool(tuple(path.split("."))) or ("", "")
+        items, name = tool.listed(inner[0]), inner[1]
+        if name == "*" and items:
+            changes[".".join(inner)] = override[path]
+        elif name in [item.name for item in items]:
+            changes[".".join(inner)] = override.pop(path)
+    if any(leads_into(path, [each.fills for each in COMMON[Tool]]) for path in changes):
+        spread(Tool, tool)
+    apply(changes, tool, reader.faults, reader.opened)
+
+
 _SHARING = {Spindle: (), Shaft: ("shaft",)}  # descriptions whose items share values, their path
 _INNER = [("bearings", "*", "model")] + [
     (*way, *common.fills) for kind, way in _SHARING.items() for common in COMMON[kind]
 ]
 
 
-def _inner(path: str) -> bool:
+def leads_into(path: str, ways: Iterable[Sequence[str]]) -> bool:
     """Whether a path leads into a bearing model or a shared value, which are filled in before."""
     steps = path.split(".")
     return any(
         len(steps) > len(way)
         and all(key in ("*", step) for key, step in zip(way, steps, strict=False))
-        for way in _INNER
+        for way in ways
     )
 
 

@@ -11,7 +11,7 @@ from contextlib import suppress
 from dataclasses import replace
 from itertools import product
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 
 from bearings.bearing import BallBearing
 from bearings.materials import Material
@@ -28,10 +28,10 @@ from rotordyn.case.document import MAX_DEPTH
 from rotordyn.case.expand import Reader
 from rotordyn.case.faults import Faults
 from rotordyn.case.keys import PortPair
-from rotordyn.case.leaf import is_unknown, unknown
+from rotordyn.case.leaf import is_unknown, leaf, limit_of, unknown
 from rotordyn.case.machines import read_spindle
 from rotordyn.case.matrices import matrix
-from rotordyn.case.node import UNKNOWN, Node, set_paths
+from rotordyn.case.node import UNKNOWN, Node, Shared, set_paths
 from rotordyn.case.ranges import sweep
 from rotordyn.case.reading import Reading, unknown_key
 from rotordyn.case.uncertain import AS_USUAL, Uncertain, Worded
@@ -40,24 +40,16 @@ from rotordyn.errors import InvalidInput, TooManyFaults
 from rotordyn.field import Refused, accept
 from rotordyn.machine.housing import ReducedHousing
 from rotordyn.machine.matrix import Matrix
-from rotordyn.machine.reference import QUANTITIES, Reference
+from rotordyn.machine.reference import Reference, values_of
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.tool import Tool
-from rotordyn.quantity import Items, Quantity, Sweep
+from rotordyn.quantity import Quantity, Sweep
 from rotordyn.results.display import RPM
 from rotordyn.scene.conditions import HYPOTHESES, Conditions
 from rotordyn.scene.spec import Spec
 
 SAME_SPEED = 1e-3  # allowed relative difference of the speeds in a record and in the case
-# Kind of quantity by the unit in which a reference is stored.
-KIND_OF_UNIT = {
-    "N/m": "stiffness",
-    "N": "force",
-    "m": "length",
-    "Hz": "frequency",
-    "1": "ratio",
-}
 
 
 def material(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
@@ -100,9 +92,8 @@ def reference(reading: Reading, annotation: Any, node: Node, others: tuple[type,
     if not isinstance(node.value, dict):
         return reading.wrong_shape(annotation, node, "a mapping (key: value)")
     quantity = node.child("quantity")
-    unit = "" if quantity is None else QUANTITIES.get(str(quantity.value), "")
-    known: Any = Annotated[float, Quantity(KIND_OF_UNIT[unit])] if unit else Any
-    taken = {"values": Annotated[tuple[known, ...], Items()], "conditions": Any}
+    known = values_of("" if quantity is None else str(quantity.value))
+    taken = {"values": known, "conditions": Any}
     values = reading.fields(Reference, node, annotations=taken)
     conditions = node.child("conditions")
     values["conditions"] = {} if conditions is None else reading.given(Conditions, conditions)
@@ -263,7 +254,12 @@ def in_python(annotation: Any, value: object) -> Any:
 
 
 def _accepted(annotation: Any, value: object) -> Any:
-    return accept(annotation, Node(value, "", 0, 0).plain())
+    try:
+        return accept(annotation, Node(value, "", 0, 0).plain())
+    except Refused:
+        if isinstance(limit_of(annotation), Quantity) and isinstance(value, int | float):
+            raise  # a number in SI units
+        return leaf(annotation, value)  # refused as in files
 
 
 def _written(value: object, depth: int = 0) -> Node:
@@ -272,7 +268,7 @@ def _written(value: object, depth: int = 0) -> Node:
         raise Refused(f"nested deeper than {MAX_DEPTH} levels")
     if isinstance(value, Mapping):
         entries = {str(key): _written(each, depth + 1) for key, each in value.items()}
-        return Node(entries, "", 0, 0)
+        return Node(entries, "", 0, 0, shared=isinstance(value, Shared))
     if isinstance(value, list | tuple):
         return Node([_written(each, depth + 1) for each in value], "", 0, 0)
     return Node(value, "", 0, 0, raw=str(value))

@@ -20,7 +20,6 @@ from rotordyn.analyses.stability_lobes.workpiece import Workpiece
 from rotordyn.case.case import Case
 from rotordyn.description import Description, Faults, repeated
 from rotordyn.field import Field, declared
-from rotordyn.machine.bearing_set import SetPreload
 from rotordyn.machine.fits import Fits
 from rotordyn.machine.flexible_rings import SIZES, RingBodies
 from rotordyn.machine.growth import (
@@ -269,21 +268,11 @@ class _Material:
 
 
 @dataclass
-class _SetPreload:
-    maker_class: Annotated[
-        Annotated[str, Choice(("light", "medium", "heavy"))] | None,
-        Key("class"),
-        "a class whose force the model of the bearing prints (`preloads`), as class_force",
-    ] = None
-
-
-@dataclass
 class _Workpiece:
     note: Note = ""
 
 
 _EXTRA: dict[type, Any] = {
-    SetPreload: _SetPreload,
     Case: _Case,
     FrfSpec: _Frf,
     MeasuredResponse: _Measured,

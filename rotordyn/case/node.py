@@ -19,6 +19,17 @@ class Unknown:
 UNKNOWN = Unknown()
 
 
+@dataclass(frozen=True, slots=True)
+class Read:
+    """A value that needs no reading, such as one that is given for several items."""
+
+    value: Any
+
+
+class Shared(dict[str, Any]):
+    """A mapping given in Python that an item has in common with others, as files spread it."""
+
+
 @dataclass(slots=True)
 class Node:
     """A scalar, mapping or list of a file.

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any
 
 from rotordyn.case.faults import Faults
-from rotordyn.case.node import UNKNOWN, Node, joined
-from rotordyn.case.varied import called_at, no_such
+from rotordyn.case.node import UNKNOWN, Node
+from rotordyn.case.varied import OF_RANGE, called_at, no_such, of_range, too_far
 
 Open = Callable[[str, Node], Node]  # the value of a key; the model if it may be named there
 
@@ -28,39 +27,58 @@ def apply(
 def _put(value: Node, steps: list[str], target: Node, faults: Faults, opened: Open) -> None:
     step, rest = steps[0], steps[1:]
     target.shared = False
-    if step == "*" and isinstance(target.value, dict | list):
-        container: Any = target.value
-        for key, child in [*target.items()]:
-            if rest:
-                _put(value, rest, child, faults, opened)
-            else:
-                container[key] = value.copy()
+    if (step in OF_RANGE and _is_list_of_values(target)) or (step == "*" and _is_range(target)):
+        faults.at_key(value, of_range(_way(value, steps)))
+    elif step == "*" and isinstance(target.value, dict | list):
+        _put_everywhere(value, rest, target, faults, opened)
     elif isinstance(target.value, list):
-        place = _place(value, step, target, faults)
+        place = _place(value, steps, target, faults)
         if place is not None and rest:
             _put(value, rest, target.value[place], faults, opened)
         elif place is not None:
             target.value[place] = value.copy()
     elif not isinstance(target.value, dict):
         if target.value is not UNKNOWN:
-            where = f"'{joined(target.path, step)}' does not exist"
-            faults.at_key(value, f"{where}: '{target.path}' holds one value")
-    elif not rest:
-        target.value[step] = value.copy()
-    else:
+            faults.at_key(value, too_far(_way(value, steps)))
+    elif rest:
         path = value.path.removesuffix("." + ".".join(rest))
         absent = Node({}, value.file, value.line, value.column, path, key=value.key)
         child = target.value.get(step, absent)
         target.value[step] = absent if child.value is None else opened(step, child)
         _put(value, rest, target.value[step], faults, opened)
+    else:
+        target.value[step] = value.copy()
 
 
-def _place(value: Node, step: str, target: Node, faults: Faults) -> int | None:
+def _is_list_of_values(target: Node) -> bool:
+    plain = isinstance(target.value, list) and not any(item.name for item in target.value)
+    return (plain and bool(target.value)) or _is_range(target)
+
+
+def _is_range(target: Node) -> bool:
+    return 0 < len(target.entries()) == len({*target.entries()} & {*OF_RANGE})
+
+
+def _put_everywhere(
+    value: Node, rest: list[str], target: Node, faults: Faults, opened: Open
+) -> None:
+    for key, child in [*target.items()]:
+        if rest:
+            _put(value, rest, child, faults, opened)
+        else:
+            target.value[key] = value.copy()
+
+
+def _place(value: Node, steps: list[str], target: Node, faults: Faults) -> int | None:
     """Index of a list item by its name, or by its number from 1 if items have none."""
-    names = [called_at(k, item) for k, item in enumerate(target.value, start=1)]
+    step, names = steps[0], [called_at(k, item) for k, item in enumerate(target.value, start=1)]
     if step in names:
         return names.index(step)
-    what = "name" if any(item.name for item in target.value) else "number"
-    unknown = no_such(step, names, what, f" in {target.path or 'the list'}")
-    faults.at_key(value, unknown if names else f"'{target.path}' is empty: give it whole")
+    what, way = "name" if any(item.name for item in target.value) else "number", _way(value, steps)
+    faults.at_key(value, no_such(step, names, what, f" in '{way}'") if names else too_far(way))
     return None
+
+
+def _way(value: Node, steps: list[str]) -> str:
+    """The path of a change, as given, without its last ``steps``."""
+    return value.path.partition("override.")[2].removesuffix(".".join(steps)).rstrip(".")

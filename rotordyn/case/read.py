@@ -104,6 +104,7 @@ def _case(root: Node, name: str, reader: expand.Reader) -> Case | None:
     if (other := _other_file(root.value)) and not reader.faults.variant:
         faults.at(root, f"this is a {other} file, not a case: {_NAMED_BY[other]}")
         return None
+    all_known = "references" in root.entries("override")  # also those of the machine
     override = of_machine(root, reader)
     named_once(root, faults)
     reading = reading_of(reader)
@@ -111,12 +112,9 @@ def _case(root: Node, name: str, reader: expand.Reader) -> Case | None:
     spindle = bearing = fitted = None
     usable = False
     if (reference := root.child("spindle")) is not None:
+        clamped = _clamped(root, override, reader)
         expanded = expand.spindle(reference, override, reader)
-        tool = root.child("tool")
-        clamped = reader.named(Tool, tool) if tool is not None else None
-        if clamped is not None and "references" in override:
-            clamped.value.pop("references", None)  # those of the machine as a whole are given
-        usable = expanded is not None and (tool is None or clamped is not None)
+        usable = expanded is not None and (clamped is not None or root.child("tool") is None)
         if expanded is not None:
             spindle, fitted, machine = read_spindle(reading, expanded, clamped)
             tree = replace(root, value={**root.value, "spindle": machine})
@@ -126,7 +124,7 @@ def _case(root: Node, name: str, reader: expand.Reader) -> Case | None:
         expand.ring_sizes(root, expanded)
         usable = usable or bearing is not None
     values = reading.fields(Case, root, annotations={"spindle": Any, "bearing": Any})
-    given = () if spindle is None else spindle.references
+    given = () if spindle is None or all_known else spindle.references
     values |= {"name": name, "spindle": spindle, "bearing": bearing, "tool": fitted}
     values["references"] = given + values["references"]
     with unchecked():
@@ -145,6 +143,17 @@ def _case(root: Node, name: str, reader: expand.Reader) -> Case | None:
     if not faults:
         report(case._last_faults())
     return case
+
+
+def _clamped(root: Node, override: dict[str, Node], reader: expand.Reader) -> Node | None:
+    """Tree of the tool in the nose, with its share of the changes of the spindle; None if none."""
+    named = root.child("tool")
+    tool = None if named is None else reader.named(Tool, named)
+    if tool is not None:
+        if "references" in override:
+            tool.value.pop("references", None)  # those of the machine as a whole are given
+        expand.of_tool(tool, override, reader)
+    return tool
 
 
 def _other_file(content: Mapping[str, object]) -> str:

@@ -19,7 +19,7 @@ from rotordyn.case.document import TIGHT
 from rotordyn.case.faults import Faults
 from rotordyn.case.keys import COMMON, keys_of, kinds_with
 from rotordyn.case.leaf import is_kind, leaf, limit_of, unknown, wanted
-from rotordyn.case.node import UNKNOWN, Node, matching
+from rotordyn.case.node import UNKNOWN, Node, Read, matching
 from rotordyn.description import Description, Path, filled, unchecked
 from rotordyn.field import REQUIRED, Field, Refused, bare, found_in, members, metadata, optional
 from rotordyn.quantity import Choice, Items, Quantity, Words, suggestion
@@ -62,6 +62,8 @@ class Reading:
         """Read ``node`` as the value of a field with this annotation."""
         if node.value is UNKNOWN:
             return unknown(annotation)
+        if isinstance(node.value, Read):
+            return node.value.value
         if node.value is None and optional(annotation):
             return None
         if form := self._form(annotation):

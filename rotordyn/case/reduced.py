@@ -19,6 +19,7 @@ import numpy as np
 from rotordyn.arrays import Array
 from rotordyn.case.document import read_bytes
 from rotordyn.case.keys import ModelFiles
+from rotordyn.case.matrix_market import MarketFile
 from rotordyn.case.node import Node
 from rotordyn.case.reading import Reading
 from rotordyn.quantity import DAMPING_RATIO, suggestion
@@ -121,22 +122,19 @@ def _require_small(name: str, archive: ZipFile) -> None:
 
 def from_market(raw: Mapping[str, bytes], places: Sequence[str]) -> Held:
     """Read the model in Matrix Market files, given by the names of the matrices; raises NoModel."""
-    from scipy.io import mminfo, mmread
-    from scipy.sparse import issparse
-
     matrices: dict[str, Any] = {}
     for name, content in raw.items():
         try:
-            rows, columns, entries = mminfo(io.BytesIO(content))[:3]
-            if max(rows, columns) > MOST or entries > MOST * MOST:
+            file = MarketFile(content)
+            rows, columns = file.shape
+            if max(rows, columns) > MOST or file.entries > MOST * MOST:
                 raise NoModel(
-                    f"{name} has {rows} × {columns} places, {entries} entries: allowed are up to "
-                    f"{MOST} coordinates; reduce it further"
+                    f"{name} has {rows} × {columns} places, {file.entries} entries: allowed are up "
+                    f"to {MOST} coordinates; reduce it further"
                 )
-            matrix: Any = mmread(io.BytesIO(content))
-        except (ValueError, OSError, TypeError, IndexError, OverflowError, MemoryError):
-            raise NoModel(f"{name} is not a Matrix Market file") from None
-        matrices[name] = matrix.toarray() if issparse(matrix) else matrix
+            matrices[name] = file.matrix()
+        except (ValueError, IndexError, KeyError, OverflowError):
+            raise NoModel(f"{name} is not a Matrix Market file of real numbers") from None
     return from_matrices(list(places), matrices)
 
 

@@ -5,11 +5,15 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
-from rotordyn.case.expand import Reader
+from rotordyn.case.expand import Reader, leads_into
 from rotordyn.case.faults import Faults
+from rotordyn.case.keys import COMMON, bearing_class, kinds_with
 from rotordyn.case.node import Node, merged, overlaid
 from rotordyn.case.override import apply
-from rotordyn.case.varied import IN_FILES, from_top, turn_of
+from rotordyn.case.reading import spread
+from rotordyn.case.varied import IN_FILES, from_top, no_root, turn_of
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.tool import Tool
 
 _MERGED = ("override", "references")
 SHARED = ("speeds", "analyses")  # of the case, with all variants
@@ -45,6 +49,9 @@ def from_the_top(root: Node, faults: Faults) -> Node:
         override = holder.entries("override")
         for path in sorted(override, key=turn_of):
             value, whole = override.pop(path), from_top(path, "spindle" in root.value, IN_FILES)
+            if whole != path and (why := _no_root(path.partition(".")[0], root)):
+                faults.at_key(value, why)
+                continue
             if holder is not tree and whole.partition(".")[0] in SHARED:
                 faults.at_key(value, "variants share the speeds and analyses of the case")
             if whole in override:
@@ -53,6 +60,12 @@ def from_the_top(root: Node, faults: Faults) -> Node:
                 faults.at_key(value, why)
             override[whole] = value
     return tree
+
+
+def _no_root(step: str, root: Node) -> str:
+    if "spindle" in root.value:
+        return no_root(step, Spindle)
+    return "" if kinds_with(step) else no_root(step, bearing_class(None))
 
 
 def of_machine(root: Node, reader: Reader) -> dict[str, Node]:
@@ -67,9 +80,16 @@ def of_machine(root: Node, reader: Reader) -> dict[str, Node]:
         change = override[path] if room == "tool" else override.pop(path)
         if dot and room == machine:
             override[path] = within[rest] = change
+        elif dot and room == "references" and machine == "spindle" and not root.child(room):
+            within[path] = change  # the case has none of its own
         elif dot and room in ("spindle", "bearing", "tool") and root.child(room) is None:
             reader.faults.at_key(change, f"leads into the {room}, and this case has none")
+        elif path == "tool" and change.value is None:
+            root.value.pop("tool", None)
         else:
+            if room == "tool" and leads_into(rest, [each.fills for each in COMMON[Tool]]):
+                tool = root.value["tool"] = reader.opened(room, root.at(room))
+                spread(Tool, tool)
             apply({path: change}, root, reader.faults, reader.opened)
     return within
 

@@ -8,19 +8,22 @@ from dataclasses import dataclass, is_dataclass
 from itertools import chain
 from typing import Annotated, Any
 
+from rotordyn.analyses.measured_response import Pair
 from rotordyn.case.case import Case
-from rotordyn.case.keys import COMMON, Common
+from rotordyn.case.deeper import deeper
+from rotordyn.case.keys import COMMON, Common, PortPair, Range, keys_of
 from rotordyn.description import quantity_of
 from rotordyn.field import declared, found_in, kinds_of, metadata, parts_of
 from rotordyn.machine.matrix import Matrix, entry_name
 from rotordyn.quantity import HIDDEN, Quantity, suggestion
-from rotordyn.units import KINDS, parse_unit
+from rotordyn.units import KINDS, parse_unit, shown
 
 OF_CASES = ("spindle", "bearing", "conditions")
 OF_CASE = frozenset(field.keys[0] if field.keys else field.name for field in declared(Case))
 APART = (("name",), ("title",), ("references",))  # no result depends on these
-# Those that overrides in files may change; a file adds its references to those of its machine.
-IN_FILES = {field.keys[0] for field in declared(Case) if field.keys} - {"references"} | {"tool"}
+# Those that overrides in files may change.
+IN_FILES = (*(field.keys[0] for field in declared(Case) if field.keys), "tool")
+OF_RANGE = [key for field in declared(Range) for key in field.keys]
 Leaf = tuple[Any, Quantity | None]
 Steps = tuple[str, ...]
 
@@ -88,6 +91,17 @@ def from_top(path: str, spindle: bool, keys: Collection[str] = OF_CASE) -> str:
     return f"spindle.{path}" if spindle else f"bearing.{path}"
 
 
+def no_root(step: str, machine: Any) -> str:
+    """Sentence on a first step of a path that is a key neither of a case nor of its ``machine``;
+    empty if it is one."""
+    known = [*IN_FILES, *(field.keys[0] for field in keys_of(machine) if field.keys)]
+    if step in known:
+        return ""
+    inner = deeper(Case, step)
+    hint = f" (did you mean {inner}?)" if inner else suggestion(step, known)
+    return f"unknown key: given {shown(step)}; allowed: {', '.join(dict.fromkeys(known))}{hint}"
+
+
 def no_such(step: str, names: Iterable[str], what: str, where: str, inner: str = "") -> str:
     """Sentence on a step of a path that leads nowhere; ``inner``: path on which it exists."""
     known = [*dict.fromkeys(filter(None, names))]
@@ -96,6 +110,26 @@ def no_such(step: str, names: Iterable[str], what: str, where: str, inner: str =
         return f"unknown number '{step}'{where}; allowed: from 1 to {len(known)}"
     hint = f" (did you mean {inner}?)" if inner else suggestion(step, known)
     return f"unknown {what} '{step}'{where}; allowed: {listed or 'none, it is empty'}{hint}"
+
+
+def within_tool(steps: Steps) -> Steps:
+    """Steps within a tool to what a path within the spindle may mean of it; none if it cannot.
+
+    >>> within_tool(("shaft", "sections", "*", "length")), within_tool(("sleeves", "*"))
+    (('sections', '*', 'length'), ())
+    """
+    inner = steps[1:] if steps[:1] == ("shaft",) else steps
+    return inner if len(inner) > 1 and inner[0] in ("sections", "masses", "joints") else ()
+
+
+def of_range(way: str) -> str:
+    """Sentence on a path to what only a range in a file has, such as ``speeds.to``."""
+    return f"'{way}' is a list of values: give it whole, as a list or {{from: …, to: …, step: …}}"
+
+
+def too_far(way: str) -> str:
+    """Sentence on a path that leads into a single value, into nothing or an empty list."""
+    return f"leads too far: '{way}' has no parts; give it whole"
 
 
 def turn_of(path: str) -> tuple[int, int]:
@@ -143,8 +177,8 @@ def _below(value: Any, annotation: Any) -> Iterator[tuple[tuple[str, ...], Any, 
             yield (called(key),), entry, inside
     elif isinstance(value, tuple):
         member = parts_of(annotation, tuple) or (annotation,)
-        for place, item in enumerate(value, start=1):
-            yield (called_at(place, item),), item, member[0]
+        for name, item in zip(called_items(annotation, value), value, strict=True):
+            yield (name,), item, member[0]
 
 
 def _leaves(case: Case) -> Iterator[tuple[str, Leaf]]:
@@ -201,6 +235,13 @@ def called(key: object) -> str:
 def called_at(place: int, item: object) -> str:
     """Item of a list as written in a path: its name, or its number from 1 if it has none."""
     return getattr(item, "name", "") or str(place)
+
+
+def called_items(annotation: Any, items: Sequence[Any]) -> list[str]:
+    """Items of a list as written in a path."""
+    if found_in(annotation, Pair) is not None:
+        return [key for field in declared(PortPair) for key in field.keys]
+    return [called_at(place, item) for place, item in enumerate(items, start=1)]
 
 
 def ways_of_items(holder: Any, common: Common, steps: Steps) -> list[Steps]:

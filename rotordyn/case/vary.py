@@ -5,44 +5,52 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import nullcontext
-from dataclasses import dataclass, is_dataclass, replace
-from functools import cache, partial
+from dataclasses import is_dataclass, replace
+from functools import partial
 from typing import Annotated, Any, TypeVar, get_args, get_origin
 
 from bearings.bearing import BallBearing
 from bearings.errors import InvalidBearing
 from rotordyn.analyses.registry import analysis, names
-from rotordyn.case.arranged import CLASSES
 from rotordyn.case.case import ByName, Case
+from rotordyn.case.change import Change, taken, way_to, ways_of
 from rotordyn.case.deeper import deeper
-from rotordyn.case.keys import COMMON, keys_of
+from rotordyn.case.keys import keys_of
+from rotordyn.case.spelled import (
+    in_the_nose,
+    of_class,
+    of_items,
+    of_model,
+    spelled,
+    unknown_in,
+    with_sizes,
+)
 from rotordyn.case.varied import (
+    OF_RANGE,
     Steps,
     called,
-    called_at,
-    common_at,
+    called_items,
     from_top,
+    no_root,
     no_such,
-    reached,
+    of_range,
+    too_far,
     turn_of,
-    ways_of_items,
 )
 from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
 from rotordyn.field import (
     REQUIRED,
     Field,
-    Refused,
-    accept,
     declared,
-    descriptions,
     found_in,
     kinds_of,
     parts_of,
     shown,
 )
-from rotordyn.machine.bearing_set import BearingSet
+from rotordyn.machine.bearing_set import BearingSet, SetPreload
 from rotordyn.machine.matrix import Matrix
+from rotordyn.machine.reference import Reference, values_of
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.tool import Tool
@@ -53,24 +61,7 @@ D = TypeVar("D")
 K = TypeVar("K")
 LONGEST = 1000  # characters of a path
 WHOLE = (Spindle, BallBearing, Tool)  # cannot begin with defaults
-OF_CLASS = ("arrangement", "preload", "class")
 NO_KEYS = ("tool", "variants")  # fields of a case that paths may name though files have no such key
-
-
-@dataclass(frozen=True, slots=True)
-class _Change:
-    """A new value, the whole path to it as given, and the remaining ``steps`` of the path."""
-
-    value: object
-    path: str
-    steps: Steps
-
-    def inside(self, count: int) -> _Change:
-        """The change without the first steps, which lead to what it is within."""
-        return _Change(self.value, self.path, self.steps[count:])
-
-    def refused(self, why: str, place: str = "") -> InvalidInput:
-        return InvalidInput(f"{self.path}{place}: {why}")
 
 
 def vary(description: D, changes: Mapping[str, object]) -> D:
@@ -119,7 +110,7 @@ def changed(description: D, changes: Mapping[str, object]) -> D:
     return _fields(description, listed)
 
 
-def _of_variants(case: Case, changes: Sequence[_Change]) -> list[_Change]:
+def _of_variants(case: Case, changes: Sequence[Change]) -> list[Change]:
     """Repeat the changes for every variant of ``case``."""
     if not case.variants:
         return []
@@ -127,22 +118,22 @@ def _of_variants(case: Case, changes: Sequence[_Change]) -> list[_Change]:
     return [replace(change, steps=("variants", "*", *change.steps)) for change in inner]
 
 
-def _change(path: object, value: object) -> _Change:
+def _change(path: object, value: object) -> Change:
     if not isinstance(path, str) or not all(path.split(".")) or not path.isprintable():
         raise InvalidInput(f"not a dotted path: given {shown(path)}; such as 'conditions.rotor'")
     if len(path) > LONGEST:
         raise InvalidInput(f"{path[:40]}...: a path longer than {LONGEST} characters")
-    return _Change(value, path, tuple(path.split(".")))
+    return Change(value, path, tuple(path.split(".")))
 
 
-def _from_top(case: Case, change: _Change) -> _Change:
+def _from_top(case: Case, change: Change) -> Change:
     """Complete a path that begins within the machine of ``case``."""
     path = from_top(change.path, spindle=case.bearing is None)
     if path == change.path:
         return change
     machine: Any = Spindle if case.bearing is None else type(case.bearing)
-    known = [*_keys(Case), *(field.keys[0] for field in keys_of(machine) if field.keys)]
-    _require_known(change, known, "key", deeper(Case, change.steps[0]))
+    if why := no_root(change.steps[0], machine):
+        raise change.refused(why)
     return replace(change, steps=(*path.split("."),))
 
 
@@ -152,11 +143,12 @@ def _signed(case: Any) -> Any:
     return replace(case, digest=hashlib.sha256(text.encode()).hexdigest())
 
 
-def _value(annotation: Any, old: Any, changes: Sequence[_Change]) -> Any:
+def _value(annotation: Any, old: Any, changes: Sequence[Change]) -> Any:
     """Apply ``changes`` to ``old`` in their order."""
     for index, change in enumerate(changes):
         if not change.steps:
-            return _value(annotation, _taken(annotation, change), changes[index + 1 :])
+            whole = taken(annotation, with_sizes(old, change))
+            return _value(annotation, whole, changes[index + 1 :])
     if not changes:
         return old
     kinds = kinds_of(annotation) if old is None else []
@@ -168,118 +160,58 @@ def _value(annotation: Any, old: Any, changes: Sequence[_Change]) -> Any:
         return _entries(annotation, old, changes)
     if isinstance(old, tuple) and old:
         return _items(annotation, old, changes)
-    raise changes[0].refused(
-        f"leads too far: '{_way_to(changes[0])}' is {shown(old)}; give it whole"
-    )
+    raise changes[0].refused(too_far(way_to(changes[0])))
 
 
-def value_of(annotation: Any, value: object) -> Any:
-    """Convert a value: an object or number in SI units, or as files write it; raises Refused."""
-    try:
-        return accept(annotation, value)
-    except Refused:
-        listed = value if isinstance(value, list | tuple) else [value]
-        mapped = any(isinstance(each, Mapping) for each in listed)
-        named = any(isinstance(each, str) for each in listed) and any(descriptions(annotation))
-        if not mapped and not named:
-            raise
-    from rotordyn.case.forms import in_python  # reads YAML, which vary seldom needs
-
-    return in_python(annotation, value)
-
-
-def _taken(annotation: Any, change: _Change) -> Any:
-    try:
-        return value_of(annotation, change.value)
-    except Refused as refusal:
-        raise change.refused(refusal.why, refusal.place) from None
-
-
-def _fields(old: Any, changes: Sequence[_Change]) -> Any:
+def _fields(old: Any, changes: Sequence[Change]) -> Any:
     fields = {field.name: field for field in declared(old.__class__)}
     if isinstance(old, Case):
         changes = _clamped(old, fields["tool"], changes)
-    of_model: dict[str, Any] = {}
+    hidden: dict[str, Any] = {}
     if isinstance(old, BearingSeat):
-        of_model, changes = _of_model(old, changes)
-    ways = [way for each in changes for way in _of_items(old, _of_class(old, each))]
+        hidden, changes = of_model(old, changes)
+    ways = [way for each in changes for field in spelled(old, each) for way in of_items(old, field)]
     groups = _by_field(old.__class__, ways)
-    new = of_model | {
-        name: _value(fields[name].annotation, getattr(old, name), group)
-        for name, group in groups.items()
+    annotations = {name: field.annotation for name, field in fields.items()}
+    if isinstance(old, Reference):
+        annotations["values"] = values_of(old.quantity)
+    if isinstance(old, Spindle):
+        inner = groups.get("seats", [])
+        with unchecked():
+            seats = _value(annotations["seats"], old.seats, inner)
+        if listed := of_class(old, seats, groups.get("arrangement", []), inner):
+            groups["arrangement"] = listed
+    new = hidden | {
+        name: _value(annotations[name], getattr(old, name), group) for name, group in groups.items()
     }
     if isinstance(arrangement := new.get("arrangement"), BearingSet):
         turned = arrangement.turned(old.seats)
-        new["seats"] = _value(fields["seats"].annotation, turned, groups.setdefault("seats", []))
-    if isinstance(old, Conditions):
-        new["stated"] = (*old.stated, *(key for key in HYPOTHESES if key in groups))
+        new["seats"] = _value(annotations["seats"], turned, groups.setdefault("seats", []))
+    new |= _following(old, new)
     made = _made(partial(replace, old), new, changes)
     for name in groups:
         result = getattr(made, name)
         if result is not new[name] and result != new[name]:
-            _require_kept(fields[name].annotation, result, groups[name])
+            _require_kept(annotations[name], result, groups[name])
     return made
 
 
-def _of_model(old: BearingSeat, changes: Sequence[_Change]) -> tuple[dict[str, Any], list[_Change]]:
-    """What else another model gives to a bearing: values of fields, and the sizes of its rings to
-    what is new within the bearing, or had those of the model before."""
-    hidden: dict[str, Any] = {}
-    sized, listed = [], [*changes]
-    for k, change in enumerate(changes):
-        if change.steps != ("model",) or change.value == old.bearing:
-            continue
-        if isinstance(change.value, BallBearing):
-            hidden |= {"model": "", "preloads": ()}
-        else:
-            content = {"name": old.name, "x": 0.0, "thrust": old.thrust}
-            content |= {"model": change.value, "model_override": old.override}
-            whole = change.path.removesuffix(".model")
-            read = _taken(BearingSeat, replace(change, value=content, path=whole))
-            hidden |= {name: getattr(read, name) for name in ("model", "preloads", "sizes")}
-            listed[k] = replace(change, value=read.bearing)
-    sizes = hidden.get("sizes", old.sizes)
-    for fills in (common.fills for common in COMMON[BearingSeat] if common.fills[-1] in sizes):
-        size, before = sizes[fills[-1]], old.sizes.get(fills[-1])
-        within = [each for each in listed if each.steps[: len(fills) - 1] == fills[:-1]]
-        if within or size != before:
-            held = [value for _, value, _ in reached(old, fills)]
-            if (within and not held) or (size != before and held == [before]):
-                sized.append(_Change(size, (within or listed)[0].path, fills))
-        for k, each in enumerate(listed):
-            if isinstance(each.value, Mapping) and fills[: len(each.steps)] == each.steps:
-                value = _with_size(each.value, fills[len(each.steps) :], size)
-                listed[k] = replace(each, value=value)
-    return hidden, [*sized, *listed]
+def _following(old: Any, new: Mapping[str, Any]) -> dict[str, Any]:
+    """Values of fields that follow from those of other fields, as in files."""
+    if isinstance(old, Conditions):
+        return {"stated": (*old.stated, *(key for key in HYPOTHESES if key in new))}
+    if isinstance(old, SetPreload) and "class_force" in new and "maker_class" not in new:
+        return {"maker_class": None}
+    if isinstance(old, Reference) and len(speeds := new.get("speeds", ())) == 1:
+        return {"speeds": speeds * len(new.get("values", old.values))}
+    if isinstance(old, Case) and "spindle" in new and "references" not in new:
+        before, after = (of.references if of else () for of in (old.spindle, new["spindle"]))
+        kept = (each for each in old.references if each not in before)
+        return {} if before == after else {"references": (*after, *kept)}
+    return {}
 
 
-def _with_size(value: object, steps: Steps, size: float) -> object:
-    """A mapping as files write it, with the size of a ring where it gives none itself."""
-    if not isinstance(value, Mapping):
-        return value
-    if len(steps) == 1:
-        return {steps[0]: size, **value}
-    return {k: _with_size(v, steps[1:], size) if k == steps[0] else v for k, v in value.items()}
-
-
-def _of_class(old: Any, change: _Change) -> _Change:
-    """Replace a preload class of a set by the force that the models of its bearings list."""
-    arrangement = old.arrangement if isinstance(old, Spindle) else None
-    if arrangement is None or change.steps != OF_CLASS:
-        return change
-    seats = [seat for seat in old.seats if seat.name in arrangement.bearings]
-    printed = [dict(zip(CLASSES, seat.preloads, strict=False)) for seat in seats]
-    forces = {each.get(str(change.value)) for each in printed}
-    force = forces.pop() if len(forces) == 1 else None
-    if force is None:
-        raise change.refused(
-            f"the bearings of the set have no common force of a class {shown(change.value)}; "
-            f"allowed: {', '.join(CLASSES)}, of models that print preloads, or change class_force"
-        )
-    return replace(change, value=force, steps=(*OF_CLASS[:-1], "class_force"))
-
-
-def _require_kept(annotation: Any, result: Any, changes: Sequence[_Change]) -> None:
+def _require_kept(annotation: Any, result: Any, changes: Sequence[Change]) -> None:
     """Raise if the ``result`` of all changes lacks one of them, since it follows from others."""
     if _value(annotation, result, changes) == result:
         return
@@ -290,7 +222,7 @@ def _require_kept(annotation: Any, result: Any, changes: Sequence[_Change]) -> N
     )
 
 
-def _made(kind: Callable[..., Any], values: Mapping[str, Any], changes: Sequence[_Change]) -> Any:
+def _made(kind: Callable[..., Any], values: Mapping[str, Any], changes: Sequence[Change]) -> Any:
     try:
         return kind(**values)
     except (InvalidInput, InvalidBearing) as error:
@@ -298,10 +230,10 @@ def _made(kind: Callable[..., Any], values: Mapping[str, Any], changes: Sequence
         raise InvalidInput(f"{', '.join(paths)}: {error}") from None
 
 
-def _begun(kinds: Sequence[type], changes: Sequence[_Change]) -> Any:
+def _begun(kinds: Sequence[type], changes: Sequence[Change]) -> Any:
     """Create an absent value: the kind whose keys match best, other fields at their defaults."""
     keys = {change.steps[0] for change in changes}
-    kind = max(kinds, key=lambda each: len(keys & {key for key, *_ in _ways(each)}))
+    kind = max(kinds, key=lambda each: len(keys & {key for key, *_ in ways_of(each)}))
     fields, groups = declared(kind), _by_field(kind, changes)
     missing = [".".join(f.keys) for f in fields if f.default is REQUIRED and f.name not in groups]
     if missing:
@@ -314,31 +246,13 @@ def _begun(kinds: Sequence[type], changes: Sequence[_Change]) -> Any:
     return _fields(usual, changes)
 
 
-def _of_items(old: Any, change: _Change) -> list[_Change]:
-    """The change itself, or one for every item that shares the common value it leads to."""
-    common = common_at(old, change.steps)
-    if common is None:
-        return [change]
-    ways = ways_of_items(old, common, change.steps)
-    if not ways:
-        way = ".".join(
-            filter(None, (_way_to(change), *common.fills, *change.steps[len(common.keys) :]))
-        )
-        raise change.refused(
-            f"changes nothing: each of {common.fills[0]} has its own value here; change {way}"
-        )
-    return [replace(change, steps=way) for way in ways]
-
-
-def _clamped(case: Case, field: Field, changes: Sequence[_Change]) -> Sequence[_Change]:
+def _clamped(case: Case, field: Field, changes: Sequence[Change]) -> Sequence[Change]:
     """Put the change of the spindle that follows from another tool before changes within it."""
+    changes = [inner for change in changes for inner in in_the_nose(case, change)]
     of_tool = [change for change in changes if change.steps[0] == "tool"]
     whole = [change for change in changes if change.steps == ("spindle",)]
     if whole:  # a spindle given as a whole already contains its tool
-        tool, spindle = None, _taken(Spindle | None, replace(whole[-1], steps=()))
-        before, after = (each.references if each else () for each in (case.spindle, spindle))
-        known = (*after, *(each for each in case.references if each not in before))
-        changes = [replace(whole[-1], value=known, steps=("references",)), *changes]
+        tool, spindle = None, taken(Spindle | None, replace(whole[-1], steps=()))
         if case.tool and not of_tool and not isinstance(whole[-1].value, Spindle):
             of_tool = [replace(whole[-1], value=case.tool, steps=("tool",))]
     else:
@@ -357,52 +271,37 @@ def _clamped(case: Case, field: Field, changes: Sequence[_Change]) -> Sequence[_
     return [*(replace(of_tool[0], value=v, steps=(key,)) for key, v in first.items()), *rest]
 
 
-@cache
-def _ways(kind: Any) -> dict[Steps, str]:
-    """Fields of a description by the steps that lead to them."""
-    fields = declared(kind)
-    ways = {(field.name,): field.name for field in fields if not field.keys}
-    return ways | {field.keys: field.name for field in fields if field.keys}
-
-
-def _keys(kind: type) -> list[str]:
-    """First keys of a description that files have, and those that paths may name besides."""
-    fields = declared(kind)
-    named = [field.name for field in fields if not field.keys and field.name in NO_KEYS]
-    return [*(field.keys[0] for field in fields if field.keys), *named]
-
-
-def _by_field(kind: type, changes: Iterable[_Change]) -> dict[str, list[_Change]]:
+def _by_field(kind: type, changes: Iterable[Change]) -> dict[str, list[Change]]:
     """Group changes by the field they lead to."""
-    return _grouped(changes, _ways(kind), partial(_no_field, kind))
+    return _grouped(changes, ways_of(kind), partial(_no_field, kind))
 
 
-def _no_field(kind: type, change: _Change) -> None:
+def _no_field(kind: type, change: Change) -> None:
     """Raise for a path that leads to no field."""
-    first, ways = change.steps[0], _ways(kind)
-    within = [way[1] for way in ways if len(way) > 1 and way[0] == first]
-    if within and len(change.steps) == 1:
-        inner = ", ".join(f"{change.path}.{key}" for key in within)
-        raise change.refused(f"holds several values, each with a path of its own: change {inner}")
+    first, ways = change.steps[0], ways_of(kind)
+    known = [key.keys for key in keys_of(kind) if key.keys]
+    within = [way[1] for way in known if len(way) > 1 and way[0] == first]
     if within:
-        _require_known(change.inside(1), within, "key")
+        raise change.refused(unknown_in(change.steps[1], within))
     key = next((".".join(way) for way, name in ways.items() if name == first), first)
     if key != first:
         raise change.refused(f"'{first}' is called '{key}' here, as in files")
-    _require_known(change, _keys(kind), "key", deeper(kind, first))
-    raise change.refused("does not exist here")
+    names = [way[0] for way in known] + [*NO_KEYS] * (kind is Case)
+    raise change.refused(unknown_in(first, names, deeper(kind, first)))
 
 
-def _items(annotation: Any, old: tuple[Any, ...], changes: Sequence[_Change]) -> tuple[Any, ...]:
-    ways = {(called_at(k, item),): k for k, item in enumerate(old, start=1)}
+def _items(annotation: Any, old: tuple[Any, ...], changes: Sequence[Change]) -> tuple[Any, ...]:
+    ways = {(name,): k for k, name in enumerate(called_items(annotation, old), start=1)}
     what = "name" if hasattr(old[0], "name") else "number"
+    if what == "number" and changes and changes[0].steps[0] in OF_RANGE:
+        raise changes[0].refused(of_range(way_to(changes[0])))
     refuse = partial(_require_known, known=[way[0] for way in ways], what=what)
     groups = _grouped(changes, ways, refuse, ways)
     member = parts_of(annotation, tuple)[0]
     return tuple(_value(member, item, groups.get(k, [])) for k, item in enumerate(old, start=1))
 
 
-def _entries(annotation: Any, old: Mapping[Any, Any], changes: Sequence[_Change]) -> dict[Any, Any]:
+def _entries(annotation: Any, old: Mapping[Any, Any], changes: Sequence[Change]) -> dict[Any, Any]:
     key, member = parts_of(annotation, Mapping)
     closed = names() if found_in(annotation, ByName) else _closed(key)
     ways = {(called(name),): name for name in [*old, *closed]}
@@ -411,16 +310,25 @@ def _entries(annotation: Any, old: Mapping[Any, Any], changes: Sequence[_Change]
         steps = (change.steps[0] for change in changes)
         ways |= {(step,): step for step in steps if step != "*" and not suggestion(step, known)}
     refuse = partial(_require_known, known=known, what="key")
+    if found_in(annotation, ByName):  # nothing stands for the defaults, as in files
+        changes = [
+            replace(c, value={}) if c.value is None and not c.steps[1:] else c for c in changes
+        ]
     groups = _grouped(changes, ways, refuse, [(called(name),) for name in old])
     matrix, new = found_in(annotation, Matrix), {}
+    left_out: list[Any] = []
     for name, group in groups.items():
         if matrix is not None:
             one = Annotated[float, matrix.quantity(*name)]
-            member = one | tuple[one, ...]
+            listed = isinstance(group[-1].value, list | tuple) or group[-1].steps
+            member = one | tuple[one, ...] if listed else one
+            if (group[-1].steps, group[-1].value) == ((), None):  # as if left out, as in files
+                left_out.append(name)
+                continue
         if found_in(annotation, ByName):
             member = analysis(name).spec
         new[name] = _value(member, old.get(name), group)
-    return {**old, **new}
+    return {name: each for name, each in {**old, **new}.items() if name not in left_out}
 
 
 def _closed(key: Any) -> list[object]:
@@ -433,16 +341,16 @@ def _closed(key: Any) -> list[object]:
 
 
 def _grouped(
-    changes: Iterable[_Change],
+    changes: Iterable[Change],
     ways: Mapping[Any, K],
-    refuse: Callable[[_Change], None],
+    refuse: Callable[[Change], None],
     every: Iterable[Steps] | None = None,
-) -> dict[K, list[_Change]]:
+) -> dict[K, list[Change]]:
     """Group changes by what their first steps lead to, which are removed from them.
 
     ``every``: the ways that ``*`` stands for; ``refuse`` raises for a step that leads nowhere.
     """
-    groups: dict[K, list[_Change]] = {}
+    groups: dict[K, list[Change]] = {}
     for change in changes:
         if change.steps[0] == "*" and every is not None:
             leads = [*every]
@@ -455,14 +363,9 @@ def _grouped(
     return groups
 
 
-def _require_known(change: _Change, known: Iterable[str], what: str, inner: str = "") -> None:
+def _require_known(change: Change, known: Iterable[str], what: str, inner: str = "") -> None:
     """Raise if the next step of a path is not ``known``; ``inner``: path on which it is."""
     step, names = change.steps[0], [*known]
     if step not in names:
-        where = f" in '{way}'" if (way := _way_to(change)) else ""
+        where = f" in '{way}'" if (way := way_to(change)) else ""
         raise change.refused(no_such(step, names, what, where, inner))
-
-
-def _way_to(change: _Change) -> str:
-    """The part of the path up to the current value."""
-    return change.path.removesuffix(".".join(change.steps)).rstrip(".")

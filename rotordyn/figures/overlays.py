@@ -114,7 +114,7 @@ def overlay_figure(
         label = curve.along if strip or is_lowest else ""
         axes = add_axes(figure, above, "" if strip else label, _ordinate(curve, several=several))
         if place == 0:
-            _entries(axes, groups, variants, looks)
+            _entries(axes, groups, variants, looks, numbers=names)
         lines = _draw(axes, group, looks)
         _draw_known(axes, group, variants, looks)
         _finish(axes, curve, above[2], labelled=bool(label) and not strip, top=place < columns)
@@ -140,10 +140,15 @@ def overlay_figure(
 def _ends(layers: Sequence[Layer], looks: Looks) -> list[End]:
     """Return the ends of the named curves that reach the right edge."""
     return [
-        End(float(curve.y[-1]), curve.end, looks.colours[place], place)
+        End(float(curve.y[-1]), _numbered(place, curve.end), looks.colours[place], place)
         for place, curve in layers
         if curve.end and np.isfinite(curve.y[-1])
     ]
+
+
+def _numbered(place: int, name: str) -> str:
+    """A name with the number of its variant, which tells it without colour."""
+    return f"{place + 1}: {name}"
 
 
 def _ordinate(curve: Curve, *, several: bool) -> str:
@@ -311,8 +316,11 @@ def _note(axes: Axes, words: str) -> None:
     )
 
 
-def _entries(axes: Axes, groups: Sequence[Group], variants: Sequence[Shown], looks: Looks) -> None:
-    """Add an entry of the legend for every variant, unless they are many, and every series."""
+def _entries(
+    axes: Axes, groups: Sequence[Group], variants: Sequence[Shown], looks: Looks, *, numbers: bool
+) -> None:
+    """Add an entry of the legend for every variant, unless they are many, and every series;
+    ``numbers``: of the variants before their titles."""
     layers = [layer for group in groups for layer in group.layers]
     solved = {k for k, c in layers if (np.isfinite(c.y) | (c.y > c.ceiling)).any()}
     dotted = all(curve.dotted for _, curve in layers)
@@ -322,7 +330,8 @@ def _entries(axes: Axes, groups: Sequence[Group], variants: Sequence[Shown], loo
             look["ls"] = "-"
         elif dotted:
             look |= _dots(look)
-        title = variant.title if place in solved else f"{variant.title}: none"
+        title = _numbered(place, variant.title) if numbers else variant.title
+        title += "" if place in solved else ": none"
         axes.plot([], [], label=title, **look)
     for series in looks.series if len(looks.series) > 1 else ():
         axes.plot([], [], color=BLACK, lw=1.2, ls=looks.dash(series), label=series)

@@ -21,6 +21,7 @@ from rotordyn.figures.style import USUAL_FORMATS
 from rotordyn.job.results import DATE, Origin, Part, Results, inputs_of
 from rotordyn.job.solving import labelled, restricted, solve, solve_variants, unsolved
 from rotordyn.results.by_variant import by_variant
+from rotordyn.results.gravity import gravest_first
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -113,7 +114,7 @@ class SolvedResults(Results):
         sentences = solution.sentences(
             lambda machine: (*machine.warnings, *result_warnings(machine.results))
         )
-        return (*solution.unsolved, *sentences)
+        return (*solution.unsolved, *gravest_first(sentences))
 
     @cached_property
     def notes(self) -> tuple[str, ...]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Annotated
 
 from rotordyn.description import Description, Faults, repeated
@@ -17,6 +17,7 @@ from rotordyn.machine.sleeve import CONSTANT, Sleeve, Spring
 from rotordyn.quantity import (
     Choice,
     Items,
+    Key,
     Load,
     Name,
     Preload,
@@ -25,6 +26,7 @@ from rotordyn.quantity import (
     StopTravel,
 )
 
+CLASSES = ("light", "medium", "heavy")  # of preload, as makers call them
 SETS = {  # +: the shaft pushes towards +x; the mirror image is the same set
     "DB": "+-",
     "DF": "-+",
@@ -84,6 +86,11 @@ class SetPreload(Description):
     friction: Annotated[
         Preload, "limit of the dry friction of the rings that the force pushes, in their bore"
     ] = 0.0
+    maker_class: Annotated[
+        Annotated[str, Choice(CLASSES)] | None,
+        Key("class"),
+        "a class whose force the model of the bearing prints (`preloads`), as class_force",
+    ] = field(default=None, compare=False)
 
     def _faults(self) -> Faults:
         keys = ("force", "class_force", "offset", "constant_force")

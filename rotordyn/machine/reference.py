@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Annotated
+from typing import Annotated, Any
 
 from rotordyn.description import Description, Faults
-from rotordyn.quantity import Choice, Items, Speed
+from rotordyn.quantity import Choice, Items, Quantity, Speed
 
 QUANTITIES = {
     "radial_stiffness": "N/m",  # subject: variant, default nonlinear
@@ -22,6 +22,20 @@ QUANTITIES = {
     "frozen_error": "1",  # of the axial stiffness of one bearing; largest over its loads
 }
 KINDS = ("published", "measured")
+_KIND_OF_UNIT = {
+    "N/m": "stiffness",
+    "N": "force",
+    "m": "length",
+    "Hz": "frequency",
+    "1": "ratio",
+}
+
+
+def values_of(quantity: str) -> Any:
+    """Annotation of known values: in units of their quantity, if there is such a quantity."""
+    unit = QUANTITIES.get(quantity, "")
+    value: Any = Annotated[float, Quantity(_KIND_OF_UNIT[unit])] if unit else Any
+    return Annotated[tuple[value, ...], Items()]
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from rotordyn.arrays import Array, Flags
 from rotordyn.machine.limits import PRELOAD_PRESSURE, WARNING_PRESSURE
+from rotordyn.results.gravity import Gravity, graded
 from rotordyn.results.text import which_of
 
 OILED = 0.1  # friction coefficient
@@ -32,10 +33,11 @@ def pressed(what: str, speed: Array, peak: Array) -> str:
     over = peak > WARNING_PRESSURE
     if not over.any():
         return ""
-    return (
+    why = (
         f"{what}: contact pressure {np.nanmax(peak) / 1e9:.2f} GPa is above "
         f"{WARNING_PRESSURE / 1e9:g} GPa, {which_of(speed, over)}: lower the preload or the loads"
     )
+    return graded(Gravity.LOAD, why)
 
 
 def preloaded(what: str, speed: Array, peak: Array) -> str:
@@ -43,10 +45,11 @@ def preloaded(what: str, speed: Array, peak: Array) -> str:
     at_rest = np.nanmax(peak[speed == 0.0], initial=0.0)
     if not at_rest > PRELOAD_PRESSURE:
         return ""
-    return (
+    why = (
         f"{what}: contact pressure {at_rest / 1e9:.2f} GPa at rest, where spindle bearings are "
         f"preloaded to less than {PRELOAD_PRESSURE / 1e9:g} GPa: check preload and loads"
     )
+    return graded(Gravity.LOAD, why)
 
 
 def of_a_pair(rating: float, of_grooves: float) -> str:
@@ -100,10 +103,11 @@ def softened(factor: Array, speed: Array) -> str:
     hot = factor < 1.0
     if not hot.any():
         return ""
-    return (
+    why = (
         f"hotter than 150 °C {which_of(speed, hot)}: the dynamic rating falls to "
         f"{100.0 * np.nanmin(factor):.0f} % there; cool it"
     )
+    return graded(Gravity.LOAD, why)
 
 
 def races(slipping: NDArray[np.str_]) -> NDArray[np.str_]:
@@ -121,20 +125,22 @@ def slipping(what: str, speed: Array, races: NDArray[np.str_]) -> str:
         return ""
     names = {"inner": "the inner race", "outer": "the outer race", "both": "both races"}
     race = names[str(races[slips.argmax()])]
-    return (
+    why = (
         f"{what}: the balls slip on {race} {which_of(speed, slips)} (friction as given): raise the "
         "preload, or lower the speed"
     )
+    return graded(Gravity.LOAD, why)
 
 
 def on_open_side(what: str, speed: Array, balls: Flags) -> str:
     """A warning where balls bear on the side without a shoulder at some speed, else nothing."""
     if not balls.any():
         return ""
-    return (
+    why = (
         f"{what}: balls bear where the rings have no shoulder {which_of(speed, balls)}: raise the "
         "axial load, or turn the bearing round"
     )
+    return graded(Gravity.LOAD, why)
 
 
 def friction_warning(what: str, speed: Array, required: Array) -> str:
@@ -146,9 +152,10 @@ def friction_warning(what: str, speed: Array, required: Array) -> str:
     high = required > OILED
     if not high.any():
         return ""
-    return (
+    why = (
         f"{what}: the balls roll without gyroscopic slip only if friction is above "
         f"{np.nanmax(required):.2g}, more than the {OILED:g} of oiled contacts "
         f"{which_of(speed, high)}; "
         "raise the preload, or set friction to compute the slip"
     )
+    return graded(Gravity.LOAD, why)

@@ -10,10 +10,11 @@ from typing import Any
 import numpy as np
 
 from rotordyn.case.case import Case
+from rotordyn.case.change import value_of
 from rotordyn.case.keys import MODELS
 from rotordyn.case.study import MOST_POINTS
 from rotordyn.case.varied import found_at, usual_unit
-from rotordyn.case.vary import value_of, vary
+from rotordyn.case.vary import vary
 from rotordyn.description import quantity_of
 from rotordyn.errors import InvalidInput
 from rotordyn.field import Refused, kinds_of, shown

@@ -52,6 +52,7 @@ def power(base: float, values: object, name: str = "", often: int = 1) -> float:
         (lambda: Material("m", 2.1e5, 0.3, 7800.0), r"210000 Pa \(did you mean 210 GPa\?\)"),
         (lambda: Material("m", 2e11, 0.3, 7.85), r"7.85 kg/m³ \(did you mean 7850 kg/m³\?\)"),
         (lambda: Material("m", 2e11, 0.3, 7.85e-9), r"did you mean 7850 kg/m³\?"),
+        (lambda: Material("m", 2e11, 0.3, 0.284), r"did you mean 7861 kg/m³\?"),  # lb/in³
         (lambda: Material("m", 2e11, 0.3, 7800.0, 11.5), r"did you mean 1.15e-05 1/K\?"),
         (lambda: Material(3, 2e11, 0.3, 7800.0), "name must be text, got 3"),
         (lambda: AngularContactBallBearing(8.0, 0.07, 20, contact_angle=0.3), "mean 8 mm"),

@@ -17,6 +17,7 @@ from bearings import (
     InvalidBearing,
     NoEquilibrium,
 )
+from bearings.ring.condition import condition
 from tests.oracles.known_bearings import HARRIS_209_DEEP, RPM, VEX70
 
 THRUST = [1000.0, 0.0, 0.0, 0.0, 0.0]
@@ -164,6 +165,19 @@ def test_thrust_that_is_rounding_is_not_refused() -> None:
     for axial in (0.0, -0.0, -1e-8):
         assert VEX70.equilibrium(load=[axial, 500.0, 0, 0, 0]).outcome == ""
     assert VEX70.equilibrium(load=[0.0, 500.0, 0, 0, -10.0]).outcome == ""
+
+
+def test_turning_the_bearing_round_helps_against_thrust_alone() -> None:
+    """A moment or a radial load finds the open side either way."""
+    pushed = str(condition(VEX70.equilibrium(displacement=[-1e-3, 0, 0, 0, 0])))
+    tilted, radial = (
+        str(condition(VEX70.equilibrium(load=load)))
+        for load in ([0, 0, 0, 5.0, 0], [0, 100.0, 0, 0, 0])
+    )
+    assert "raise the thrust, or turn the bearing round" in pushed
+    for said in (tilted, radial):
+        assert "raise the thrust" in said
+        assert "turn the bearing" not in said
 
 
 def test_batch_carries_an_outcome_per_state() -> None:

@@ -383,12 +383,32 @@ def test_another_class_is_that_of_a_file_that_names_it(word: str, tmp_path: Path
     of_three = rotordyn.vary(replace(machine, seats=(front, rear, beside)), {path: word})
     assert of_three.arrangement == wanted, "the third one is not of the set"
     twice = replace(rear, preloads=tuple(2.0 * each for each in rear.preloads))
-    for unlike in (
-        rotordyn.vary(machine, {"bearings.rear.model": BEARING}),
-        replace(machine, seats=(front, twice)),
+    with pytest.raises(InvalidInput, match=f"no common force of a class '{word}'"):
+        rotordyn.vary(replace(machine, seats=(front, twice)), {path: word})
+
+
+def test_a_class_with_another_model_is_the_force_of_that_model(tmp_path: Path) -> None:
+    """Also where the class stays; a model that prints none is refused, as in a file."""
+    text = (Path(rotordyn.__file__).parents[1] / "cases" / "preload_concepts.yaml").read_text()
+    file, text = tmp_path / "case.yaml", text[: text.index("compare:")]
+    file.write_text(text)
+    plain = rotordyn.load(file)
+    for changes in (
+        {"bearings.*.model": "vex70"},
+        {"bearings.*.model": "vex70", "arrangement.preload.class": "light"},
+        {"bearings.*.model": "vex70", "arrangement.preload.class_force": "200 N"},
     ):
-        with pytest.raises(InvalidInput, match=f"no common force of a class '{word}'"):
-            rotordyn.vary(unlike, {path: word})
+        varied = rotordyn.vary(plain, changes)
+        force = varied.spindle.arrangement.preload.class_force
+        if "arrangement.preload.class_force" in changes:
+            assert force == 200.0
+            continue
+        listed = "".join(f"  {path}: {value}\n" for path, value in changes.items())
+        file.write_text(text.replace("override:\n", f"override:\n{listed}"))
+        assert varied.spindle == rotordyn.load(file).spindle
+        assert force != plain.spindle.arrangement.preload.class_force
+    with pytest.raises(InvalidInput, match="no common force of a class 'medium'"):
+        rotordyn.vary(plain, {"bearings.rear.model": BEARING})
 
 
 def test_a_constant_force_is_no_mistaken_spring() -> None:

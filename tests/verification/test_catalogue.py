@@ -26,7 +26,7 @@ from bearings import (
 from bearings.catalogue import estimate as estimating
 from bearings.catalogue.estimate import _range
 from bearings.catalogue.plausible import TIGHTEST, usual
-from bearings.catalogue.races import _table, contact_stiffness, static_rating
+from bearings.catalogue.races import contact_stiffness, interpolated, static_rating
 from bearings.contact.hertz import curvature_difference, dimensionless
 from bearings.geometry import geometry
 from bearings.life.rating import Insides, rating
@@ -371,12 +371,10 @@ def test_script_judges_a_catalogue(tmp_path: Path) -> None:
 
 def test_the_table_of_contacts_is_that_of_hertz() -> None:
     """Between its nodes, for conformities down to 0.500 001."""
-    approach, area = _table()
     for ellipticity in np.exp(np.linspace(0.06, 7.9, 331)):
         where = -math.log1p(-curvature_difference(ellipticity))
         a, b, delta = dimensionless(ellipticity)
-        assert math.exp(approach(where)) == pytest.approx(delta, rel=2e-8)
-        assert math.exp(area(where)) == pytest.approx(a * b, rel=2e-8)
+        assert np.exp(interpolated(where)) == pytest.approx([delta, a * b], rel=2e-8)
 
 
 @pytest.mark.parametrize("known", KNOWN)
@@ -404,8 +402,9 @@ def test_the_likeliest_conformities_are_those_of_a_general_minimiser(known: Any)
         apart = estimating._apart(estimating._computed(trial, catalogue), catalogue)
         return float(0.5 * (apart**2).sum() - usual(trial, section))
 
-    every, likely, _ = estimating._weighed(catalogue)
-    refined = estimating._refined(every, likely, catalogue)
+    grid, likely, _ = estimating._weighed(catalogue)
+    refined = estimating._refined(grid, likely, catalogue)
+    every, likely = grid.spread_over(likely.shape), likely.ravel()
     step, best = estimating._STEP, math.inf
     order = np.argsort(-likely)
     pairs = np.stack([every.ball_diameter[order], every.balls[order]])

@@ -9,6 +9,7 @@ import numpy as np
 from rotordyn.analyses.axial_cycle.result import AxialCycleResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM, STIFFNESS, number
+from rotordyn.results.gravity import Gravity, of_gravity
 from rotordyn.results.headline import Number, each_speed
 from rotordyn.results.text import from_to, over_speed, unbroken
 
@@ -37,6 +38,7 @@ def numbers(result: AxialCycleResult, _: Described) -> Iterator[Number]:
         yield from each_speed(result, "force", "N/µm", values, part=name)
 
 
+@of_gravity(Gravity.LOAD)
 def warnings(result: AxialCycleResult) -> list[str]:
     """Warn of bearings that the force unloads."""
     sentences = []

@@ -12,6 +12,7 @@ from rotordyn.analyses.frf.result import FrequencyResponse
 from rotordyn.analyses.passivity import NO_DRIVING_POINT, fault_at_driving_point, misnamed
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM, number, rounded_up, shown
+from rotordyn.results.gravity import Gravity, graded
 from rotordyn.results.headline import Number
 from rotordyn.results.text import unbroken
 from rotordyn.scene.lightly_damped import lightly_damped
@@ -144,10 +145,11 @@ def warnings(result: FrequencyResponse) -> list[str]:
     worst = float(result.error.max(initial=0.0))
     if worst > result.error_asked:
         pair = result.pair[int(result.error.argmax())]
-        sentences.append(
+        why = (
             f"frf: {pair} is less accurate than asked for: an estimated error of "
             f"{rounded_up(worst)} of its peak remains after refinement"
         )
+        sentences.append(graded(Gravity.INVALID, why))
     return [*sentences, *_lightly_damped(result)]
 
 

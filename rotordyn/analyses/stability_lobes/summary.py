@@ -23,6 +23,7 @@ from rotordyn.results.display import (
     number,
     rounded_up,
 )
+from rotordyn.results.gravity import Gravity, graded
 from rotordyn.results.headline import Number
 from rotordyn.results.text import unbroken
 
@@ -267,21 +268,23 @@ def warnings(result: StabilityLobesResult) -> list[str]:
     sentences = []
     failed = [row for row, word in enumerate(result.cutting_outcome) if word]
     if failed:
-        sentences.append(
+        why = (
             f"stability_lobes: no limit at {len(failed)} of {len(result.depth)} speeds of the "
             f"cutter, first at {_rpm(result, failed[0])}: {result.cutting_outcome[failed[0]]}"
         )
+        sentences.append(graded(Gravity.NO_STATE, why))
     growing = np.flatnonzero(_growing(result))
     if growing.size:
         first, hertz = growing[0], result.chatter[growing[0]]
         what = (
             f"the mode at {number(hertz)} Hz" if hertz > 0.0 else "a motion that does not oscillate"
         )
-        sentences.append(
+        why = (
             "stability_lobes: the machine is unstable without a cut at "
             f"{growing.size} of {len(result.depth)} speeds of the cutter, first at "
             f"{_rpm(result, first)}, where {what} grows: no depth is stable there"
         )
+        sentences.append(graded(Gravity.NO_STATE, why))
     flips = np.flatnonzero(np.array(result.loss) == FLIP)
     if flips.size:
         rpm = number(result.cutting_speed[flips[0]] * RPM.factor, 0)
@@ -303,10 +306,11 @@ def warnings(result: StabilityLobesResult) -> list[str]:
     if result.error > result.error_asked:
         percent = f"by {number(100.0 * result.error, 0)} %"
         amount = percent if np.isfinite(result.error) else "from or to no limit"
-        sentences.append(
+        why = (
             f"stability_lobes: limits still change {amount} with modes above "
             f"{number(result.modelled, 0)} Hz: raise max_frequency, or give damping to such modes"
         )
+        sentences.append(graded(Gravity.INVALID, why))
     elif (highest := float(np.nanmax(result.chatter, initial=0.0))) > result.modelled:
         sentences.append(
             f"stability_lobes: chatter at {number(highest, 0)} Hz is above the "

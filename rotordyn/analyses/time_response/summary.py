@@ -11,6 +11,7 @@ from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.results.balls import pressed
 from rotordyn.results.described import Described
 from rotordyn.results.display import GIGAPASCAL, MICROMETRE, RPM, number, rounded_up
+from rotordyn.results.gravity import Gravity, graded
 from rotordyn.results.headline import Number, each_speed
 from rotordyn.results.text import unbroken
 
@@ -92,35 +93,38 @@ def warnings(result: TimeResponseResult) -> Iterator[str]:
     """Yield warnings of an early end, violated hypotheses, and insufficient accuracy."""
     for row, why in enumerate(result.ending):
         if why:
-            yield (
+            early = (
                 f"time_response: at {_rpm(result, row)} the motion is computed up to "
                 f"{result.ended[row] * MILLISECOND.factor:.5g} ms, after which {why}: lower the "
                 "forces, or check the supports of the machine and its stability"
             )
+            yield graded(Gravity.NO_STATE, early)
     yield from _sleeves(result)
     for k, name in enumerate(result.bearing):
         peak = np.nan_to_num(result.peak_pressure[:, k], posinf=np.inf)
         if peak.max() > HIGHEST_PRESSURE:
-            yield (
+            overloaded = (
                 f"time_response: contacts of bearing {name} are overloaded at "
                 f"{_rpm(result, int(peak.argmax()))} (pressures above "
                 f"{HIGHEST_PRESSURE * GIGAPASCAL.factor:g} GPa), where results are not valid: "
                 "lower the forces"
             )
+            yield graded(Gravity.INVALID, overloaded)
         elif sentence := pressed(f"time_response, bearing {name}", result.speed, peak):
             yield sentence
         unloaded = np.nan_to_num(result.unloaded_time[:, k])
         row = int(unloaded.argmax())
         if unloaded[row] > 0.0:
-            yield (
+            lost = (
                 f"time_response: all balls of bearing {name} lose contact with its inner race at "
                 f"{_rpm(result, row)}, for {unloaded[row] * MILLISECOND.factor:.3g} ms in total: "
                 "raise the preload, or lower the forces"
             )
+            yield graded(Gravity.LOAD, lost)
     worst = float(result.error.max(initial=0.0))
     if worst > result.error_asked:
         point = result.point[int(result.error.argmax())]
-        yield (
+        inaccurate = (
             f"time_response: the motion of {point} is less accurate than asked for: an estimated "
             f"error of {rounded_up(worst)} of its largest value remains after refinement"
             if worst < 1.0
@@ -128,6 +132,7 @@ def warnings(result: TimeResponseResult) -> Iterator[str]:
             "steps still changed it by more than its largest value; raise max_frequency, which "
             "shortens them"
         )
+        yield graded(Gravity.INVALID, inaccurate)
 
 
 def _sleeves(result: TimeResponseResult) -> Iterator[str]:

@@ -11,6 +11,7 @@ from rotordyn.arrays import Array
 from rotordyn.numerics.crossing import above_zero
 from rotordyn.results.described import Described
 from rotordyn.results.display import GRAM_MILLIMETRE, MICROMETRE, RPM, number, rounded_up
+from rotordyn.results.gravity import Gravity, graded
 from rotordyn.results.headline import Number
 from rotordyn.results.text import unbroken
 from rotordyn.scene.lightly_damped import LIGHT, lightly_damped
@@ -181,10 +182,11 @@ def warnings(result: UnbalanceResult) -> list[str]:
     worst = float(result.error.max(initial=0.0))  # NaN without a finer model
     if worst > result.error_asked:
         point = result.point[int(result.error.argmax())]
-        sentences.append(
+        why = (
             f"unbalance: the motion of {point} is less accurate than asked for: an estimated error "
             f"of {rounded_up(worst)} of its peak remains after refinement"
         )
+        sentences.append(graded(Gravity.INVALID, why))
     return sentences
 
 
@@ -192,7 +194,8 @@ def _run_warnings(result: UnbalanceResult) -> Iterator[str]:
     """Yield warnings of runs without a solution, beyond tangents, inaccurate, or unstable."""
     for name, why in zip(result.run, result.run_outcome, strict=True):
         if why:
-            yield f"unbalance: the run {name} has no solution: {why}; leave it out"
+            lost = f"unbalance: the run {name} has no solution: {why}; leave it out"
+            yield graded(Gravity.NO_STATE, lost)
     for name, speed, departures in zip(
         result.run, result.run_force_peak_speed, result.run_departure, strict=True
     ):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -213,6 +214,16 @@ OF_A_CASE = {
     "spindle.sleeves.front.mass": "2 kg",
     "bearings.d.model": "vex65",
     "shaft.material": "bearing_steel",
+    "tool.sections.*.material.density": "8000 kg/m^3",
+    "shaft.sections.*.material.density": "8000 kg/m^3",
+    "shaft.sections.flutes.length": "50 mm",
+    "points.*": "1 mm",
+    "references": "[]",
+    "spindle.references": "[]",
+    "bearing_override.contact_angle": "20 deg",
+    "bearings.d.model_override": "{contact_angle: 20 deg}",
+    "damping": "{rotor: [2 %], bearings: {radial: 9 N s/m}}",
+    "shaft.sections.nose": "{name: nose, length: 18.6 mm, outer_diameter: 91 mm}",
 }
 
 
@@ -263,6 +274,44 @@ def test_the_order_of_overrides_does_not_matter(overridden: Override) -> None:
     lines = ["sleeves.front.mass: 1 kg", "sleeves.*.mass: 2 kg", "sleeves.rear.spring.preload: 9 N"]
     lines.append("sleeves.rear.spring: {preload: 8 N, stiffness: 5 N/um}")
     assert overridden(*lines) == overridden(*lines[::-1])
+
+
+@pytest.mark.parametrize("speeds", ["[0 rpm]", "{from: 0 rpm, to: 900 rpm, step: 900 rpm}"])
+def test_what_only_a_range_has_is_no_path(speeds: str, tmp_path: Path) -> None:
+    file, said = tmp_path / "case.yaml", "'speeds' is a list of values: give it whole"
+    text = f"spindle: mfw2310\nspeeds: {speeds}\nanalyses: {{campbell: {{max_frequency: 1 kHz}}}}\n"
+    file.write_text(text)
+    with pytest.raises(InvalidInput, match=said):
+        rotordyn.load(file).vary({"speeds.to": "9000 rpm"})
+    file.write_text(f"{text}override: {{speeds.to: 9000 rpm}}\n")
+    with pytest.raises(InvalidInput, match=said) as found:
+        rotordyn.load(file)
+    assert len(found.value.faults) == 1
+
+
+def test_nothing_for_the_tool_takes_it_out(tmp_path: Path) -> None:
+    file = tmp_path / "case.yaml"
+    text = "spindle: mfw2310\nspeeds: [0 rpm]\nanalyses: {campbell: {max_frequency: 1 kHz}}\n"
+    file.write_text(text)
+    bare = rotordyn.load(file)
+    file.write_text(f"{text}tool: hsk63_end_mill_16\n")
+    clamped = rotordyn.load(file)
+    file.write_text(f"{text}tool: hsk63_end_mill_16\noverride: {{tool: }}\n")
+    assert rotordyn.load(file) == bare == clamped.vary({"tool": None}) != clamped
+
+
+def test_an_unknown_first_key_is_one_fault_that_lists_all_first_keys(overridden: Override) -> None:
+    plain = rotordyn.load("mfw2310")
+    for key in ("*", "sleves", "sleves.front.mass"):
+        with pytest.raises(InvalidInput) as found:
+            overridden(f"'{key}': 1")
+        (fault,) = found.value.faults
+        first = key.partition(".")[0]
+        assert f"unknown key: given '{first}'; allowed: title, speeds, analyses" in fault.message
+        assert "tool, shaft, masses" in fault.message
+        assert "flexible_rings" in fault.message
+        with pytest.raises(InvalidInput, match=re.escape(fault.message)):
+            plain.vary({key: 1})
 
 
 @pytest.mark.parametrize("path", ["tool.sections.flutes.length", "bearing.balls"])

@@ -128,7 +128,7 @@ def test_rigid_supports_that_elasticity_does_not_distinguish_are_undetermined(
 
 
 def test_a_shaft_goes_the_other_way_than_its_rings_are_offset() -> None:
-    """Two rigid rings, thicker by e on one side, move the shaft by −e there and straight between."""
+    """Two rigid rings, thicker by e on one side, move the shaft by −e there, straight between."""
     pin = LinearSupport("pin", 0.0, rigid=("x", "y", "z", "thx"))
     slide = LinearSupport("slide", LENGTH, rigid=("y", "z"))
     solver = equation(shaft(Section(LENGTH, DIAMETER, 0.0, STEEL), supports=(pin, slide)))

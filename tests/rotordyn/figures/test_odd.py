@@ -264,12 +264,17 @@ def test_modes_of_variants_bear_their_names_at_both_panels():
     figure = dict(comparison_figures(variants))["campbell_overlay"]()
     renderer = figure.canvas.get_renderer()
     for axes, colours in zip(figure.axes, ({colour(0), colour(1)}, {colour(1)}), strict=True):
-        names = [t for t in axes.texts if t.get_text().startswith("bending")]
+        names = [t for t in axes.texts if "bending" in t.get_text()]
         assert {t.get_color() for t in names} == colours
-        assert len({t.get_text()[:9] for t in names}) == 5
+        assert {(t.get_text()[:2], t.get_color()) for t in names} == {
+            (f"{k + 1}:", colour(k)) for k in range(2) if colour(k) in colours
+        }
+        assert len({t.get_text()[3:12] for t in names}) == 5
         boxes = sorted((t.get_window_extent(renderer) for t in names), key=lambda box: box.y0)
         assert all(box.x1 <= figure.bbox.x1 for box in boxes)
         assert all(a.y1 <= b.y0 + 1.0 for a, b in itertools.pairwise(boxes))
+    (legend,) = figure.legends
+    assert {"1: a", "2: b"} <= {t.get_text() for t in legend.get_texts()}
 
 
 def test_a_legend_of_several_rows_is_read_by_rows():
