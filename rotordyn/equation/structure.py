@@ -49,7 +49,8 @@ class Structure:
 
     ``shown``: nodes at which motion is displayed; ``fine``: fineness of elements and reduction;
     ``ports``: further places at which forces act or motion is read; ``rigid``: shafts do not bend;
-    ``pressed``: an axial force is given that may approach buckling; ``coarse``: structure of
+    ``pressed``: an axial force is given that may approach buckling; ``softened``: Ω² S is
+    subtracted in the fixed frame, a formulation that no physics supports; ``coarse``: structure of
     lower degrees, or None.
 
     Raises
@@ -66,10 +67,11 @@ class Structure:
         *,
         rigid: bool = False,
         pressed: bool = False,
+        softened: bool = False,
         coarse: Structure | None = None,
     ) -> None:
         self.spindle, self.shown, self.fine, self.rigid = spindle, shown, fine, rigid
-        self.pressed, self.coarse = pressed, coarse
+        self.pressed, self.softened, self.coarse = pressed, softened, coarse
         self.dofs = Dofs()
         self.shafts = {
             name: Shaft.of(
@@ -88,7 +90,8 @@ class Structure:
         for shaft in self.shafts.values():
             terms += [shaft.parts(), lumped_parts(shaft), joint_parts(shaft)]
         self._sleeve_parts = list(self.sleeves.parts(spindle))
-        self.parts: list[Part] = [*self._sleeve_parts, *(part for term in terms for part in term)]
+        rest = (p for term in terms for p in term if softened or p.matrix != "softening")
+        self.parts: list[Part] = [*self._sleeve_parts, *rest]
         self.seats = [self._seat_link(k, seat) for k, seat in enumerate(spindle.seats)]
         self.supports = [self._support_link(support) for support in spindle.supports]
         self.dampers = [self._damper_link(damper) for damper in spindle.dampers]

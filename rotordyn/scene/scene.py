@@ -176,6 +176,7 @@ class Scene(Statics):
             self.ports,
             self.rigid,
             self._pressed,
+            self._softened,
             self.loaded and self.conditions.loads,
         ),
         lambda self, shared: shared.on_springs_of(self.spindle),
@@ -191,6 +192,7 @@ class Scene(Statics):
             places,
             rigid=self.rigid,
             pressed=self._pressed,
+            softened=self._softened,
             coarse=self.coarse,
         )
 
@@ -198,6 +200,10 @@ class Scene(Statics):
     def _pressed(self) -> bool:
         conditions = self.conditions
         return conditions.axial_stiffening and bool(conditions.tension or conditions.axial_force)
+
+    @property
+    def _softened(self) -> bool:
+        return self.conditions.formulation == SOFTENED
 
     @cached_property
     def stop_speeds(self) -> Array:
@@ -285,10 +291,9 @@ class Scene(Statics):
         speed, tangents, stops = (values[chosen] for values in self.state[:3])
         state = self.state._replace(speed=speed, tangents=tangents, stops=stops)
         force = None if self.force is None else self.force[chosen]
-        softened = self.conditions.formulation == SOFTENED
         size = sum(component.size for component in self.subsystems[k])
         require_matrices(f"{self.name_of(k)} system", len(state.speed), size, self.case_speeds)
-        solve = partial(assemble, self.rotor, self.subsystems[k], state, force, softened=softened)
+        solve = partial(assemble, self.rotor, self.subsystems[k], state, force)
         return self.timed(f"{self.name_of(k)} system", solve)
 
     def system(self, k: int) -> FreeMotions:
