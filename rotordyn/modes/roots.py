@@ -146,8 +146,7 @@ def _corrected(
     Cases that are mostly critical speeds (lalanne_ferraris) take 1.6 times as long by ``_states``.
     """
     linear, line = scene.linear(subsystem), starts[0].line.size
-    signs = signs_at(line, whirling=False)
-    stiffness = answering_stiffness(linear, signs)[rows]
+    stiffness = answering_stiffness(linear, signs_at(line))[rows]
     guess = np.asarray(np.array([s.vector for s in starts]) @ linear.basis, dtype=complex)
     damping = linear.within(linear.damping[rows])
     guessed_pole = np.asarray(1j * line * at, dtype=complex)
@@ -164,13 +163,8 @@ def _motions(scene: Scene, subsystem: int, start: Start) -> FreeMotions:
     """Return the modes of a subsystem; with loss factors, of motions at the start's multiple of the
     speed. Where planes are one here and not at all speeds, its shape determines its whirl."""
     motions = scene.system(subsystem)
-    if motions.lossy is None:
-        return motions
-    order = start.line.size
-    if motions.whirling:
-        degree = whirl_degree(motions.linear, start.vector[None, :, None])
-        order *= start.side or math.copysign(1.0, degree[0, 0])
-    return motions.answering(signs_at(order, whirling=motions.whirling))
+    degree = whirl_degree(motions.linear, start.vector[None, :, None])
+    return motions.answering(start.line.size, start.side or math.copysign(1.0, degree[0, 0]))
 
 
 def _nearest(motions: FreeMotions, row: int, start: Start, speed: float) -> State | None:
