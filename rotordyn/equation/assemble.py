@@ -60,13 +60,15 @@ def assemble(
     state: State,
     force: Array | None = None,
     *,
+    softened: bool = False,
     pull: float = 1.0,
 ) -> Linear:
     """Return the equation of a subsystem at every state.
 
     ``force`` (s, elements of the shown mesh) [N]: axial force in the spindle's shaft, tension
-    positive; None: neither it nor the drawbar affects bending. ``pull``: share of the drawbar's
-    tension that acts in its string stiffness.
+    positive; None: neither it nor the drawbar affects bending. ``softened``: Ω² M_ω is subtracted
+    from the stiffness in the fixed frame, a formulation that no physics supports. ``pull``: share
+    of the drawbar's tension that acts in its string stiffness.
     """
     speed, n = state.speed, sum(c.size for c in components)
     stiffness, damping = np.zeros((2, len(speed), n, n))
@@ -75,7 +77,7 @@ def assemble(
     for component, at in zip(components, linear.slices, strict=True):
         stiffness[:, at, at] += component.stiffness
         damping[:, at, at] += component.damping
-        if structure.softened and component.bends:
+        if softened and component.bends:
             stiffness[:, at, at] -= spin**2 * component.projected("softening")
         if axial is not None and component.lines[0].body == SPINDLE and component.bends:
             stiffness[:, at, at] += geometric_stiffness(structure.slopes(component), axial)

@@ -49,9 +49,8 @@ class Structure:
 
     ``shown``: nodes at which motion is displayed; ``fine``: fineness of elements and reduction;
     ``ports``: further places at which forces act or motion is read; ``rigid``: shafts do not bend;
-    ``pressed``: an axial force is given that may approach buckling; ``softened``: Ω² S is
-    subtracted in the fixed frame, a formulation that no physics supports; ``coarse``: structure of
-    lower degrees, or None.
+    ``pressed``: an axial force is given that may approach buckling; ``softened``: the
+    parts of S are kept, which take much memory; ``coarse``: structure of lower degrees, or None.
 
     Raises
     ------
@@ -71,7 +70,7 @@ class Structure:
         coarse: Structure | None = None,
     ) -> None:
         self.spindle, self.shown, self.fine, self.rigid = spindle, shown, fine, rigid
-        self.pressed, self.softened, self.coarse = pressed, softened, coarse
+        self.pressed, self.coarse = pressed, coarse
         self.dofs = Dofs()
         self.shafts = {
             name: Shaft.of(

@@ -291,9 +291,10 @@ class Scene(Statics):
         speed, tangents, stops = (values[chosen] for values in self.state[:3])
         state = self.state._replace(speed=speed, tangents=tangents, stops=stops)
         force = None if self.force is None else self.force[chosen]
-        size = sum(component.size for component in self.subsystems[k])
+        parts, softened = self.subsystems[k], self._softened
+        size = sum(component.size for component in parts)
         require_matrices(f"{self.name_of(k)} system", len(state.speed), size, self.case_speeds)
-        solve = partial(assemble, self.rotor, self.subsystems[k], state, force)
+        solve = partial(assemble, self.rotor, parts, state, force, softened=softened)
         return self.timed(f"{self.name_of(k)} system", solve)
 
     def system(self, k: int) -> FreeMotions:
