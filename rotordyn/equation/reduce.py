@@ -151,11 +151,7 @@ def reduce(
 
 @_solvable()
 def enriched(
-    mass: Matrix,
-    stiffness: Matrix,
-    rigid: Array,
-    known: Array,
-    couplings: Sequence[Coupling] = (),
+    mass: Matrix, stiffness: Matrix, rigid: Array, known: Array, couplings: Sequence[Coupling] = ()
 ) -> Basis:
     """Return a large body in the span of vectors ``known`` (n, k) of a coarser model, without rigid
     motions, and of one step of inverse iteration from each; ``known`` is overwritten.

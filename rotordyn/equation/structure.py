@@ -218,11 +218,7 @@ class Structure:
         return owner
 
     def _component(
-        self,
-        lines: tuple[Line, ...],
-        dofs: Indices,
-        parts: list[Part],
-        solved: Solved,
+        self, lines: tuple[Line, ...], dofs: Indices, parts: list[Part], solved: Solved
     ) -> Component:
         shaft, included = self.shafts.get(lines[0].body), np.zeros(self.dofs.count, dtype=bool)
         included[dofs] = True

@@ -80,11 +80,7 @@ def solved(
             if abs(state.miss) <= rounded(scene, branches[starts[k].branch]) * abs(state.pole):
                 nearest[k] = starts[k], float(at[k]), state
             next_speed = _next(starts[k], float(at[k]), state.miss)
-            starts[k] = replace(
-                starts[k],
-                vector=state.vector,
-                before=(float(at[k]), state.miss),
-            )
+            starts[k] = replace(starts[k], vector=state.vector, before=(float(at[k]), state.miss))
             if next_speed != at[k]:
                 at[k] = next_speed
                 continuing.append(k)
