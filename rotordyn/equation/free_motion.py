@@ -240,11 +240,7 @@ class FreeMotions:
         if self.lossy is not None and self.lossy.loss.turns:
             coupled |= self.lossy.spin != 0.0
         for matrix in (self.modes.stiffness, self.modes.damping):
-            coupled |= (
-                matrix.imag.reshape(len(matrix), -1).any(axis=1)
-                if np.iscomplexobj(matrix)
-                else False
-            )
+            coupled |= matrix.imag.any(axis=(1, 2))
         return coupled
 
     @property
