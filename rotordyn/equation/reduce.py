@@ -166,7 +166,7 @@ def enriched(
     energy = np.hstack([motions.T @ (stiffness @ motions[:, at]) for at in pieces])
     motions = body.independent(motions, energy, np.maximum(energy.diagonal(), 0.0))
     rigid = body.rigid
-    del body  # its factors, as large as vectors and root
+    del body  # frees its factors, which are as large as the root of the mass matrix
     values, motions = _normalised(_root(mass), motions)
     values = np.concatenate([np.zeros(rigid.shape[1]), values])
     modes = np.ones(len(values), dtype=bool)

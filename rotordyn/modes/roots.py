@@ -158,9 +158,11 @@ def _corrected(
 def _motions(scene: Scene, subsystem: int, start: Start) -> FreeMotions:
     """Return the modes of a subsystem; with loss factors, of motions at the start's multiple of the
     speed. Where planes are one here and not at all speeds, its shape determines its whirl."""
-    motions = scene.system(subsystem)
-    degree = whirl_degree(motions.linear, start.vector[None, :, None])
-    return motions.answering(start.line.size, start.side or math.copysign(1.0, degree[0, 0]))
+    motions, side = scene.system(subsystem), start.side
+    if motions.linear.axisymmetric and not side:
+        degree = whirl_degree(motions.linear, start.vector[None, :, None])
+        side = math.copysign(1.0, degree[0, 0])
+    return motions.answering(start.line.size, side)
 
 
 def _nearest(motions: FreeMotions, row: int, start: Start, speed: float) -> State | None:
