@@ -242,10 +242,12 @@ def _general(stiffness: Matrix, damping: Matrix) -> tuple[Complex, Complex, Comp
     n = stiffness.shape[-1]
     shape = (*stiffness.shape[:-2], 2 * n, 2 * n)
     matrix = np.zeros(shape, dtype=np.result_type(stiffness, damping))
-    scale = float(np.sqrt(np.abs(stiffness).max())) or 1.0  # balances displacement and velocity
-    matrix[..., :n, n:] = scale * np.eye(n)
-    matrix[..., n:, :n] = -stiffness / scale
+    matrix[..., :n, n:] = np.eye(n)
+    matrix[..., n:, :n] = -stiffness
     matrix[..., n:, n:] = -damping
+    scale = float(np.sqrt(np.abs(stiffness).max())) or 1.0  # balances displacement and velocity
+    matrix[..., :n, n:] *= scale
+    matrix[..., n:, :n] /= scale
     flat = matrix.reshape(-1, 2 * n, 2 * n)
 
     def solved(part: slice) -> tuple[Complex, Complex, Complex]:
