@@ -91,11 +91,11 @@ def assemble(
         if connection.matrices.damping.any():
             damping += connection.damping
     linear = replace(linear, connections=tuple(connections), loss=_loss(linear, connections))
-    linear = replace(linear, isotropic=planes_identical(linear))
+    linear = replace(linear, axisymmetric=planes_identical(linear))
     allowed = _allowed(linear, connections)
     if allowed is None:
         return linear
-    if linear.isotropic:  # solved as one plane: the other has the very same coordinates
+    if linear.axisymmetric:  # plane z has the very same coordinates as plane y
         half = [n // 2 for n in allowed.shape]
         allowed[half[0] :, half[1] :] = allowed[: half[0], : half[1]]
     return replace(linear, allowed=allowed, bodies=bodies)

@@ -33,7 +33,9 @@ WEIGHTLESS = 30.0  # frequency of massless DOF over the highest required, at the
 PRECISE = 1e-5  # accuracy below which gyroscopic forces get static modes
 HEAVIEST = 1e3  # of the cut-off: no coordinate has a higher frequency
 OWN_MASS = 0.1 * HEAVIEST  # of the cut-off: a fictitious mass changes lower frequencies by 1 %
-FINER = 2.0  # cut-off of a finer model over that of the one before; 1.5 may add no mode
+# Cut-off of a finer model over that of the one before. 1.5 may add no mode: of 1279 errors of
+# random rotors it reports one 10 times too small, 2 none, in the same time (test_random_rotors).
+FINER = 2.0
 HIGHEST = 10  # degree of elements
 FAR = 1e12  # of a start, in ``resolved``
 SAFETY = 5.0  # required error over the one aimed at

@@ -8,7 +8,7 @@ solved, motions are returned over all coordinates of the subsystem, one of every
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TypeVar
@@ -16,13 +16,15 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.allowance import require_modes
 from rotordyn.arrays import Array, Complex, Flags, Indices, Matrix
 from rotordyn.equation.constraint import along
 from rotordyn.equation.free_directions import free_directions, too_stiff
-from rotordyn.equation.hysteresis import Hysteresis, Hysteretic, Signs
-from rotordyn.equation.linear import Linear
+from rotordyn.equation.hysteresis import Hysteresis, Hysteretic, Signs, signs_at
+from rotordyn.equation.linear import Linear, name_of
 from rotordyn.errors import InvalidInput
 from rotordyn.numerics.modes import Modes, grows, modes, residual, unsolved
+from rotordyn.numerics.synchronous import synchronous
 
 S = TypeVar("S", bound=np.generic)
 LOST = 0.1  # of a pole: with a larger change by rounding it has no meaning
@@ -35,7 +37,8 @@ class FreeMotions:
     those of one system serve all speeds where nothing changes with speed.
 
     ``pole`` (s, k) [rad/s], Im ≥ 0, NaN where a speed has fewer; ``vector`` (s, n, k); ``left``
-    (s, k, n): the receptance at iω is Σ vector left / (iω − pole) and, of Im > 0, the conjugate.
+    (s, k, n): the receptance at iω is Σ vector left / (iω − pole) and, of those ``paired``, the
+    conjugate.
     """
 
     linear: Linear
@@ -54,7 +57,7 @@ class FreeMotions:
     @property
     def whirling(self) -> bool:
         """True if solved as one complex plane."""
-        return self.linear.isotropic
+        return self.linear.axisymmetric
 
     @cached_property
     def _chosen(self) -> tuple[Indices, Flags]:
@@ -124,6 +127,20 @@ class FreeMotions:
         sign = np.where(self.modes.pole.imag < 0.0, -1.0, 1.0)
         return self._each(sign) if self.whirling else np.zeros(self.pole.shape)
 
+    @property
+    def turning_frequency(self) -> Array:
+        """Angular frequency (s, k) in a frame rotating with the shaft [rad/s]."""
+        frequency = self.pole.imag
+        if not self.whirling:
+            return frequency
+        return np.abs(self.whirl * frequency - self.linear.speed[:, None])
+
+    @property
+    def paired(self) -> Flags:
+        """Poles (s, k) whose conjugates are poles, too: all but real ones, which stand for a pair
+        where planes are one."""
+        return (self.pole.imag != 0.0) | self.whirling
+
     @cached_property
     def at_rest(self) -> Flags:
         """Rigid-body motions: poles at zero (s, k).
@@ -181,7 +198,10 @@ class FreeMotions:
         return self._each(total)
 
     def turning_receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:
-        """Return receptances in a frame rotating with the shaft: whirl at ω + Ω has ω there."""
+        """Return receptances in a frame rotating with the shaft: whirl at ω + Ω has ω there, axial
+        motion and torsion have the same frequency."""
+        if not self.whirling:
+            return self.receptance(omega, responses, excitations)
 
         def evaluate(rows: Array, other: Array) -> Complex:
             spin, modes = self.linear.speed[:, None], self.modes
@@ -220,11 +240,7 @@ class FreeMotions:
         if self.lossy is not None and self.lossy.loss.turns:
             coupled |= self.lossy.spin != 0.0
         for matrix in (self.modes.stiffness, self.modes.damping):
-            coupled |= (
-                matrix.imag.reshape(len(matrix), -1).any(axis=1)
-                if np.iscomplexobj(matrix)
-                else False
-            )
+            coupled |= matrix.imag.any(axis=(1, 2))
         return coupled
 
     @property
@@ -241,9 +257,24 @@ class FreeMotions:
             return free_motions(linear, self.lossy.ceiling)
         return FreeMotions(linear, self.modes if self.solved_once else self.modes.at(rows))
 
-    def answering(self, signs: Signs) -> FreeMotions:
-        """Return the motions of the linear system for some signs of loss."""
-        return self if self.lossy is None else replace(self, modes=self.lossy.answering(signs))
+    def answering(self, order: float, side: float = 1.0) -> FreeMotions:
+        """Return the motions of the linear system whose losses are those of motions at ``order``
+        times the spin, of a whirl to one ``side`` where planes are one."""
+        if self.lossy is None:
+            return self
+        order = side * order if self.whirling else order
+        signs = signs_at(order, whirling=self.whirling)
+        return replace(self, modes=self.lossy.answering(signs))
+
+    def turned(self, force: Complex, rows: Sequence[Array]) -> tuple[Complex, list[Matrix]]:
+        """Return a ``force`` (n,) that rotates forward, and output ``rows`` (…, n), in the
+        coordinates of ``modes``."""
+        load = along(force, self.linear.basis)
+        within: list[Matrix] = [along(values, self.linear.basis) for values in rows]
+        if not self.whirling:
+            return load, within
+        half = len(load) // 2
+        return load[:half], [values[..., :half] - 1j * values[..., half:] for values in within]
 
 
 def answering_stiffness(linear: Linear, signs: Signs) -> NDArray[np.inexact]:
@@ -266,24 +297,53 @@ def free_motions(linear: Linear, ceiling: float = math.inf) -> FreeMotions:
     turns = loss is not None and loss.turns
     if len(linear.speed) > 1 and not turns and all((part == part[:1]).all() for part in parts):
         return replace(free_motions(linear.at(np.zeros(1, dtype=np.intp)), ceiling), linear=linear)
-    if linear.isotropic:
+    if linear.axisymmetric:
         half = stiffness.shape[-1] // 2
         stiffness, damping = (_circular(part, half) for part in (stiffness, damping))
         if loss is not None:
             fixed = _circular(loss.fixed, half)
             loss = Hysteresis(fixed, loss.turning[:half, :half], None)
+    name = f"{name_of(linear.components)} modes"
+    require_modes(name, len(linear.speed), stiffness.shape[-1])
     if loss is None:
         return FreeMotions(linear, modes(stiffness, damping), None)
     lossy = Hysteretic(stiffness, damping, loss, linear.speed, ceiling)
     return FreeMotions(linear, lossy.free_motions(), lossy)
 
 
-def responding(linear: Linear) -> FreeMotions:
-    """Return motions without poles or loss factors, for receptances at a few frequencies alone.
+def responding(linear: Linear) -> FreeMotions | None:
+    """Return motions without poles, for receptances at a few frequencies alone; None with loss
+    factors, and where planes are one.
 
     Coaxial rotors with orders take three times as long with poles, spindles on bearings hardly.
     """
+    if linear.axisymmetric or linear.loss is not None:
+        return None
     return FreeMotions(linear, unsolved(linear.allowed_stiffness, linear.within(linear.damping)))
+
+
+def synchronous_motions(
+    linear: Linear, stiffness: Matrix, slope: Matrix, order: float
+) -> Iterator[tuple[float, Complex, float]]:
+    """Yield spins Ω > 0, vectors (n,) and directions of undamped motions at ``order`` times Ω.
+
+    ``stiffness`` and ``slope`` (m, m), within the motions that rigid supports allow: K₀ + Ω K₁.
+    The direction is 0 but where planes are one: such of both directions may be at one speed.
+    """
+    gyroscopic, half = linear.within(linear.gyroscopic), len(stiffness) // 2
+    motions = []
+    if not linear.axisymmetric:
+        motions.append((0.0, *synchronous(stiffness, gyroscopic, order, slope)))
+    else:
+        constant, change = (_circular(matrix[None], half)[0] for matrix in (stiffness, slope))
+        for side in (1.0, -1.0):
+            turning = -1j * side * gyroscopic[:half, half:]
+            spins, plane = synchronous(constant, turning, order, change)
+            plane = plane if side > 0.0 else plane.conj()
+            motions.append((side, spins, np.concatenate([plane, -1j * side * plane])))
+    for side, spins, vectors in motions:
+        for spin, vector in zip(spins, (linear.basis @ vectors).T, strict=True):
+            yield float(spin), vector, side
 
 
 def _circular(matrix: Matrix, half: int) -> Matrix:

@@ -256,7 +256,7 @@ def signs_of(omega: Array, spin: Array, *, whirling: bool) -> Indices:
     return np.stack([forward, backward, fixed], axis=-1)
 
 
-def signs_at(omega: float, *, whirling: bool) -> Signs:
+def signs_at(omega: float, *, whirling: bool = False) -> Signs:
     """Return the signs of a motion at ``omega`` times the spin."""
     return Signs(*map(int, signs_of(np.array(omega), np.array(1.0), whirling=whirling)))
 

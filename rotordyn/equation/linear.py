@@ -11,7 +11,7 @@ Theory: docs/theory/rotor.md.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import accumulate, pairwise
@@ -40,7 +40,7 @@ class Linear:
     Coordinates are those of ``components``, in this order: plane y, plane z, all others.
     ``allowed`` A (n, m), orthonormal: the motions that rigid supports allow, in the same order, in
     which few strain very stiff links; None where there are neither. ``bodies`` (s, n, n), with it:
-    the part of ``stiffness`` that is not of links. ``isotropic``: both planes obey the same
+    the part of ``stiffness`` that is not of links. ``axisymmetric``: both planes obey the same
     equations at all speeds of the machine, so that forward and backward whirl are uncoupled.
     """
 
@@ -53,7 +53,7 @@ class Linear:
     loss: Hysteresis | None = None
     allowed: Array | None = None
     bodies: Array | None = None
-    isotropic: bool = False
+    axisymmetric: bool = False
 
     @cached_property
     def gyroscopic(self) -> Array:
@@ -225,6 +225,13 @@ class Linear:
             reaction[:, c.rigid > 0.0] = force[:, start : start + len(c.link.rigid)]
             forces[c.link.name], start = reaction, start + len(c.link.rigid)
         return forces
+
+
+def name_of(components: Iterable[Component]) -> str:
+    """Return the motions of a subsystem: "bending", "bending and axial" …."""
+    motions = {line.kind for component in components for line in component.lines}
+    named = [name for name in ("bending", "axial", "torsion") if name in motions]
+    return " and ".join(named) or "housing"
 
 
 def planes_identical(linear: Linear) -> bool:

@@ -34,6 +34,8 @@ NOTHING = 1e-16  # of the flexibility at a port: a smaller part not in the modes
 RIGIDLY = 1e-13  # of a load: one with a smaller self-equilibrated part moves the body rigidly
 TINY = 1e-200  # [s²], keeps a load of zeros from division by zero
 STIFF = 1e-8  # of the largest 1/λ: down to here modes above the cutoff are no rounding
+PIECE = 8  # vectors at a time: what is computed of all takes much memory in a large body
+ROWS = 4096  # of a factorised matrix at a time
 FEW = 32  # rows of a triangular matrix that is inverted directly
 ASIDE = 1.2345e-7  # relative shift off round values of the cutoff, at which a pivot may vanish
 RESOLVED = 1e-14  # of the largest 1/λ: stiffer modes are rounding, and negligible
@@ -149,14 +151,10 @@ def reduce(
 
 @_solvable()
 def enriched(
-    mass: Matrix,
-    stiffness: Matrix,
-    rigid: Array,
-    known: Array,
-    couplings: Sequence[Coupling] = (),
+    mass: Matrix, stiffness: Matrix, rigid: Array, known: Array, couplings: Sequence[Coupling] = ()
 ) -> Basis:
     """Return a large body in the span of vectors ``known`` (n, k) of a coarser model, without rigid
-    motions, and of one step of inverse iteration from each.
+    motions, and of one step of inverse iteration from each; ``known`` is overwritten.
 
     The step represents what a vector φ lacks, M φ − K φ/λ with its Rayleigh quotient λ. So where
     the coarser model errs by δ, this one errs by δ². By ``reduce`` a Campbell diagram of a shaft of
@@ -164,25 +162,36 @@ def enriched(
     """
     body = _Body.held(mass, stiffness, rigid)
     motions = _iterated(body, stiffness, known, couplings)
-    energy = motions.T @ (stiffness @ motions)
+    pieces = _pieces(motions.shape[1])
+    energy = np.hstack([motions.T @ (stiffness @ motions[:, at]) for at in pieces])
     motions = body.independent(motions, energy, np.maximum(energy.diagonal(), 0.0))
-    values, elastic = body.normalised(motions)
-    all_values = np.concatenate([np.zeros(rigid.shape[1]), values])
-    vectors, modes = np.hstack([body.rigid, elastic]), np.ones(len(all_values), dtype=bool)
-    return Basis(vectors, all_values, modes, np.diag(np.sqrt(all_values)))
+    rigid = body.rigid
+    del body  # frees its factors, which are as large as the root of the mass matrix
+    values, motions = _normalised(_root(mass), motions)
+    values = np.concatenate([np.zeros(rigid.shape[1]), values])
+    modes = np.ones(len(values), dtype=bool)
+    return Basis(np.hstack([rigid, motions]), values, modes, np.diag(np.sqrt(values)))
 
 
 def _iterated(body: _Body, stiffness: Matrix, known: Array, couplings: Sequence[Coupling]) -> Array:
     """Return the vectors ``known`` (n, k) and a step of inverse iteration from each."""
-    known = known - body.rigid @ (body.mass_rigid.T @ known)
-    inertia, restoring = body.mass @ known, stiffness @ known
-    values = (known * restoring).sum(axis=0) / (known * inertia).sum(axis=0)
-    loads = [inertia - restoring / values]
-    del inertia, restoring  # of large shafts they take much memory
-    for coupling in couplings:
-        sources = np.hstack([body.rigid, known[:, values <= coupling.band**2]])
-        loads.append(coupling.matrix @ sources)
-    return np.hstack([known, body.displaced(np.hstack(loads))])
+    known -= body.rigid @ (body.mass_rigid.T @ known)
+    energy, inertia = (np.einsum("nk,nk->k", known, m @ known) for m in (stiffness, body.mass))
+    values, end = energy / inertia, known.shape[1]
+    sources = [np.hstack([body.rigid, known[:, values <= c.band**2]]) for c in couplings]
+
+    def loads() -> Iterator[Array]:
+        for at in _pieces(len(values)):
+            yield body.mass @ known[:, at] - stiffness @ known[:, at] / values[at]
+        for coupling, source in zip(couplings, sources, strict=True):
+            yield coupling.matrix @ source
+
+    motions = np.empty((len(known), 2 * end + sum(source.shape[1] for source in sources)))
+    motions[:, :end] = known
+    for load in loads():
+        start, end = end, end + load.shape[1]
+        motions[:, start:end] = body.displaced(load)
+    return motions
 
 
 def _roots(body: _Body, static: Array, values: Array, rest: tuple[Array, Array]) -> Array:
@@ -234,15 +243,7 @@ class _Body:
     @cached_property
     def root(self) -> Matrix:
         """Upper triangular root U of the mass matrix, Uᵀ U = M."""
-        if isinstance(self.mass, np.ndarray):
-            return np.linalg.cholesky(self.mass).T
-        from scipy.sparse import diags_array
-
-        factors = _factors(self.mass)
-        upper, pivots = factors.U.tocsr()[:, factors.perm_c], factors.U.diagonal()
-        if pivots.min() <= 0.0:
-            raise np.linalg.LinAlgError
-        return diags_array(pivots**-0.5) @ upper
+        return _root(self.mass)
 
     def elastic(self, motions: Array) -> Array:
         """Return motions (n, k), without rigid ones, from those (n − r, k) of the free DOF."""
@@ -265,13 +266,37 @@ class _Body:
         new = (share > NEW) & possible
         return np.asarray(motions @ (scale[:, None] * vectors[:, new] / np.sqrt(share[new])))
 
-    def normalised(self, motions: Array) -> tuple[Array, Array]:
-        """Return values and vectors of the span of ``motions`` V (n, k), Vᵀ K V = 1.
 
-        They are the singular values of U V; small ones keep as many digits as large ones.
-        """
-        _, size, right = np.linalg.svd(np.linalg.qr(self.root @ motions, mode="r"))
-        return size**-2, motions @ (right.T / size)
+def _pieces(count: int) -> list[slice]:
+    """Return slices of at most ``PIECE`` of ``count`` vectors."""
+    return [slice(start, start + PIECE) for start in range(0, count, PIECE)]
+
+
+def _root(mass: Matrix) -> Matrix:
+    """Return the upper triangular root U of a mass matrix, Uᵀ U = M."""
+    if isinstance(mass, np.ndarray):
+        return np.linalg.cholesky(mass).T
+    from scipy.sparse import diags_array
+
+    factors = _factors(mass)
+    upper, pivots = factors.U.tocsr()[:, factors.perm_c], factors.U.diagonal()
+    if pivots.min() <= 0.0:
+        raise np.linalg.LinAlgError
+    return diags_array(pivots**-0.5) @ upper
+
+
+def _normalised(root: Matrix, motions: Array) -> tuple[Array, Array]:
+    """Return values and vectors of the span of ``motions`` V (n, k), Vᵀ K V = 1.
+
+    They are the singular values of U V, with the ``root`` U; small ones keep as many digits as
+    large ones.
+    """
+    upper: Array = np.zeros((0, motions.shape[1]))
+    for start in range(0, len(motions), ROWS):  # a product of all takes much memory
+        rows = root[start : start + ROWS] @ motions
+        upper = np.asarray(np.linalg.qr(np.concatenate([upper, rows]), mode="r"))
+    _, size, right = np.linalg.svd(upper)
+    return size**-2, motions @ (right.T / size)
 
 
 def _holding(rigid: Array, scale: Array) -> list[int]:
@@ -297,7 +322,7 @@ def _by_lapack(body: _Body, least: int, cutoff: float) -> tuple[Array, Array, tu
     clear = inverse > STIFF * inverse.max(initial=0.0)
     kept = (inverse * cutoff**2 > 1.0) | (lowest & clear)
     truncated = ~kept & (inverse > RESOLVED * inverse.max(initial=0.0))
-    modes = body.normalised(body.elastic(body.inverse_factor.T @ vectors[:, kept]))
+    modes = _normalised(body.root, body.elastic(body.inverse_factor.T @ vectors[:, kept]))
     return *modes, (vectors[:, truncated], inverse[truncated] ** -0.5)
 
 
@@ -334,7 +359,7 @@ def _static_modes(body: _Body, values: Array, elastic: Array, ports: Array) -> t
     remainder = (motions * loads).sum(axis=0)
     flexibility = np.maximum(remainder, NOTHING * (response**2 / values[:, None]).sum(axis=0))
     motions = body.independent(motions, motions.T @ loads, flexibility)
-    return body.normalised(motions - elastic @ (inertia.T @ motions))
+    return _normalised(body.root, motions - elastic @ (inertia.T @ motions))
 
 
 def _refuse_singular(pivots: Array, matrix: Matrix) -> None:
@@ -361,7 +386,8 @@ def _factors(matrix: Matrix) -> Any:
 
     options = {"SymmetricMode": True, "Equil": False}
     try:
-        factors = splu(matrix.tocsc(), "MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options=options)
+        # panels of one column are a third faster in a band
+        factors = splu(matrix.tocsc(), "MMD_AT_PLUS_A", 0.0, panel_size=1, options=options)
     except RuntimeError:
         raise np.linalg.LinAlgError from None
     if (factors.perm_r != factors.perm_c).any():

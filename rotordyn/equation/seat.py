@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from rotordyn.arrays import Array, Indices
 from rotordyn.equation.dofs import position
-from rotordyn.equation.term import AtState, LinkMatrices
+from rotordyn.equation.term import Joined, LinkMatrices
 from rotordyn.machine.seat import BearingSeat
 
 BEARING_DIRECTIONS = ("x", "y", "z", "thy", "thz")
@@ -21,11 +21,12 @@ _PLACES = np.array([position(name) for name in BEARING_DIRECTIONS])
 NOISE = 1e-12  # of the direct stiffness of two directions: less coupling is rounding
 
 
-def seat_matrices(seat: BearingSeat, place: int) -> AtState:
-    """Return a function of the state: tangent (s, 6, 6) in the spindle's frame of bearing number
-    ``place``, and its dampers."""
+def seat_joined(seat: BearingSeat, place: int) -> Joined:
+    """Return tangent (s, 6, 6) in the spindle's frame of bearing number ``place``, and dampers."""
     damping = np.diag([seat.axial_damping, *[seat.radial_damping] * 2, 0.0, 0.0, 0.0])
-    return lambda state: LinkMatrices(state.tangents[:, place], damping[None])
+    return Joined(
+        lambda state: LinkMatrices(state.tangents[:, place], damping[None]), BEARING_DIRECTIONS
+    )
 
 
 def in_spindle_frame(seats: Sequence[BearingSeat], tangents: Array) -> Array:

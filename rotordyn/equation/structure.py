@@ -7,7 +7,7 @@ Theory: docs/theory/rotor.md.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from copy import copy
 from dataclasses import replace
 from functools import cached_property
@@ -24,12 +24,12 @@ from rotordyn.equation.housing import Foundation
 from rotordyn.equation.joint import joint_parts
 from rotordyn.equation.lumped import lumped_parts
 from rotordyn.equation.mesh import Mesh
-from rotordyn.equation.seat import seat_matrices
+from rotordyn.equation.seat import seat_joined
 from rotordyn.equation.shaft import Rows, Shaft
 from rotordyn.equation.sleeve import Sleeves, springs
-from rotordyn.equation.squeeze_film import film_matrices
-from rotordyn.equation.support import matrices_of
-from rotordyn.equation.term import Link, Part
+from rotordyn.equation.squeeze_film import film_joined
+from rotordyn.equation.support import support_joined
+from rotordyn.equation.term import Joined, Link, Part
 from rotordyn.machine.joint import WAYS
 from rotordyn.machine.plausibility import SOFT
 from rotordyn.machine.rotor import Place
@@ -41,6 +41,10 @@ from rotordyn.numerics.groups import first_joined, join
 from rotordyn.numerics.sparse import summed
 
 PAIRED = {"y": "z", "z": "y", "thy": "thz", "thz": "thy"}  # planes keep the same static modes
+JOINED: dict[type, Callable[..., Joined]] = {
+    LinearSupport: support_joined,
+    SqueezeFilmDamper: film_joined,
+}
 JOINING = ("mass", "stiffness", "damping")  # matrices that make DOF one component
 
 
@@ -49,8 +53,8 @@ class Structure:
 
     ``shown``: nodes at which motion is displayed; ``fine``: fineness of elements and reduction;
     ``ports``: further places at which forces act or motion is read; ``rigid``: shafts do not bend;
-    ``pressed``: an axial force is given that may approach buckling; ``coarse``: structure of
-    lower degrees, or None.
+    ``pressed``: an axial force is given that may approach buckling; ``softened``: the
+    parts of S are kept, which take much memory; ``coarse``: structure of lower degrees, or None.
 
     Raises
     ------
@@ -66,6 +70,7 @@ class Structure:
         *,
         rigid: bool = False,
         pressed: bool = False,
+        softened: bool = False,
         coarse: Structure | None = None,
     ) -> None:
         self.spindle, self.shown, self.fine, self.rigid = spindle, shown, fine, rigid
@@ -88,10 +93,12 @@ class Structure:
         for shaft in self.shafts.values():
             terms += [shaft.parts(), lumped_parts(shaft), joint_parts(shaft)]
         self._sleeve_parts = list(self.sleeves.parts(spindle))
-        self.parts: list[Part] = [*self._sleeve_parts, *(part for term in terms for part in term)]
-        self.seats = [self._seat_link(k, seat) for k, seat in enumerate(spindle.seats)]
-        self.supports = [self._support_link(support) for support in spindle.supports]
-        self.dampers = [self._damper_link(damper) for damper in spindle.dampers]
+        rest = (p for term in terms for p in term if softened or p.matrix != "softening")
+        self.parts: list[Part] = [*self._sleeve_parts, *rest]
+        self.joined = [seat_joined(seat, k) for k, seat in enumerate(spindle.seats)]
+        further = spindle.connections[len(spindle.seats) :]
+        self.joined += [JOINED[type(each)](each) for each in further]
+        self.connections = list(map(self._link, spindle.connections, self.joined))
         self.sleeve_springs = list(self.sleeves.links(spindle))
         self.drawbar = list(drawbar_links(self.shafts[SPINDLE]))
         self._ports = self._port_dofs(ports)
@@ -120,49 +127,31 @@ class Structure:
         return other
 
     @property
-    def connections(self) -> list[Link]:
-        """Bearings, then supports, then dampers, as ``Spindle.connections``."""
-        return [*self.seats, *self.supports, *self.dampers]
+    def seats(self) -> list[Link]:
+        """Links of the bearings, the first of all ``connections``."""
+        return self.connections[: len(self.spindle.seats)]
 
     def node(self, rotor: str, x: float) -> Indices:
         """Return the DOF (6,) of the node of a rotor at station ``x`` [m]."""
         shaft = self.shafts[rotor]
         return np.asarray(shaft.node[shaft.mesh.node_of(x)])
 
-    def _seat_link(self, place: int, seat: BearingSeat) -> Link:
-        dofs, motions = self._relative_motion(seat.name, [(SPINDLE, seat.x, 1.0)])
-        for direction, number in self.sleeves.under(self.spindle, seat.name).items():
-            dofs = np.append(dofs, number)
-            motions = np.concatenate([motions, -np.eye(6)[:, [position(direction)]]], axis=1)
-        return Link(seat.name, dofs, motions, seat_matrices(seat, place))
-
-    def _support_link(self, support: LinearSupport) -> Link:
-        ends = [(support.holds, support.x, 1.0)]
-        if support.against != GROUND:
-            ends.append((support.against, support.x, -1.0))
-        dofs, motions = self._relative_motion(support.name, ends)
-        rigid = tuple(position(direction) for direction in support.rigid)
-        return Link(support.name, dofs, motions, matrices_of(support), support.loss_factor, rigid)
-
-    def _damper_link(self, damper: SqueezeFilmDamper) -> Link:
-        dofs, motions = self._relative_motion(damper.name, [(SPINDLE, damper.x, 1.0)])
-        return Link(damper.name, dofs, motions, film_matrices(damper))
-
-    def _relative_motion(
-        self, name: str, ends: list[tuple[str, float, float]]
-    ) -> tuple[Indices, Array]:
-        """Return the motion (6, DOF) of nodes relative to the housing that carries a connection."""
-        nodes = [self.node(rotor, x) for rotor, x, _ in ends]
-        sign = self.dofs.sign
-        motions = [
-            side * np.diag(sign[nodes_of])
-            for nodes_of, (_, _, side) in zip(nodes, ends, strict=True)
-        ]
+    def _link(self, part: BearingSeat | LinearSupport | SqueezeFilmDamper, joined: Joined) -> Link:
+        """Return motion (6, DOF) relative to what carries a bearing, support or damper."""
+        sides = zip(joined.ends, (1.0, -1.0), strict=True)
+        nodes = [(self.node(end, part.x), side) for end, side in sides if end != GROUND]
+        dofs = [node for node, _ in nodes]
+        motions = [side * np.diag(self.dofs.sign[node]) for node, side in nodes]
         for housing in self.housings:
-            if name in housing.under:
-                nodes.append(housing.dofs)
-                motions.append(-housing.under[name])
-        return np.concatenate(nodes), np.concatenate(motions, axis=1)
+            if part.name in housing.under:
+                dofs.append(housing.dofs)
+                motions.append(-housing.under[part.name])
+        if isinstance(part, BearingSeat):
+            for direction, number in self.sleeves.under(self.spindle, part.name).items():
+                dofs.append(np.array([number]))
+                motions.append(-np.eye(6)[:, [position(direction)]])
+        ends = np.concatenate(dofs), np.hstack(motions)
+        return Link(part.name, *ends, joined.matrices, joined.loss_factor, joined.rigid)
 
     def _port_dofs(self, places: Iterable[Place]) -> Indices:
         """Return the DOF of shafts at which links, heavy discs, dampers of joints and users act."""
@@ -182,14 +171,8 @@ class Structure:
 
     def _loaded(self) -> Iterator[tuple[str, float, Iterable[str]]]:
         """Yield rotor, station and directions in which the terms act on shafts."""
-        seats = [(seat.x, set(DIRECTIONS) - {"thx"}) for seat in self.spindle.seats]
-        for x, names in [*seats, *((damper.x, {"y", "z"}) for damper in self.spindle.dampers)]:
-            yield SPINDLE, x, names
-        for support in self.spindle.supports:
-            touched = {n for pair in (*support.stiffness, *support.damping) for n in pair}
-            touched |= set(support.rigid)
-            for rotor in {support.holds, support.against} - {GROUND}:
-                yield rotor, support.x, touched
+        for part, joined in zip(self.spindle.connections, self.joined, strict=True):
+            yield from ((end, part.x, joined.acts) for end in joined.ends if end != GROUND)
         for x in self.spindle.drawbar.stations if self.spindle.drawbar else ():
             yield SPINDLE, x, PAIRED
         for rotor, shaft in self.shafts.items():
@@ -235,11 +218,7 @@ class Structure:
         return owner
 
     def _component(
-        self,
-        lines: tuple[Line, ...],
-        dofs: Indices,
-        parts: list[Part],
-        solved: Solved,
+        self, lines: tuple[Line, ...], dofs: Indices, parts: list[Part], solved: Solved
     ) -> Component:
         shaft, included = self.shafts.get(lines[0].body), np.zeros(self.dofs.count, dtype=bool)
         included[dofs] = True

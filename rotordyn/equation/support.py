@@ -11,7 +11,7 @@ import numpy as np
 
 from rotordyn.arrays import Array
 from rotordyn.equation.dofs import position
-from rotordyn.equation.term import AtState, LinkMatrices, State
+from rotordyn.equation.term import Joined, LinkMatrices, State
 from rotordyn.machine.matrix import Value
 from rotordyn.machine.support import LinearSupport
 
@@ -21,8 +21,8 @@ for _row, _column, _sign in ((0, 0, 1), (1, 2, -1), (2, 1, 1), (3, 3, 1), (4, 5,
     _QUARTER_TURN[_row, _column] = _sign
 
 
-def matrices_of(support: LinearSupport) -> AtState:
-    """Return stiffness and damping over the six directions (s or 1, 6, 6).
+def support_joined(support: LinearSupport) -> Joined:
+    """Return stiffness and damping over the six directions (s or 1, 6, 6) between its ends.
 
     Raises
     ------
@@ -36,7 +36,9 @@ def matrices_of(support: LinearSupport) -> AtState:
             support_matrices(support, "damping", speed),
         )
 
-    return matrices
+    acts = {name for pair in (*support.stiffness, *support.damping) for name in pair}
+    rigid = tuple(position(direction) for direction in support.rigid)
+    return Joined(matrices, acts | {*support.rigid}, support.ends, support.loss_factor, rigid)
 
 
 def node_matrix(entries: Mapping[tuple[str, str], Value]) -> Array:

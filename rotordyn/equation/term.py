@@ -12,18 +12,20 @@
    keeps a static mode for each DOF that a link touches.
 4. Matrices are of the signed DOF of ``dofs``.
 
-To add a term: a file like ``lumped`` (parts) or ``support`` (links), and one line in ``structure``.
+To add a term: a file like ``lumped`` (parts) or ``support`` (links), and one line in ``structure``,
+for a connection between shaft and ground in its table ``JOINED``.
 
 Theory: docs/theory/rotor.md#parts-and-links.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import NamedTuple
 
 from rotordyn.arrays import Array, Flags, Indices
+from rotordyn.machine.support import GROUND, SPINDLE
 
 
 class Part(NamedTuple):
@@ -55,6 +57,17 @@ class LinkMatrices(NamedTuple):
 
 
 AtState = Callable[[State], LinkMatrices]
+
+
+class Joined(NamedTuple):
+    """What a bearing, support or damper does between two ``ends``, rotors or ground: ``matrices``
+    over the six directions, ``loss_factor``, ``rigid`` as of a link; ``acts`` in directions."""
+
+    matrices: AtState
+    acts: Iterable[str]
+    ends: tuple[str, str] = (SPINDLE, GROUND)
+    loss_factor: float = 0.0
+    rigid: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, eq=False, slots=True)

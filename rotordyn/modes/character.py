@@ -53,7 +53,7 @@ def whirl_along(linear: Linear, vector: Complex, degree: float) -> str:
     if abs(degree) < PLANAR:
         return "planar"
     whirl = "forward" if degree > 0.0 else "backward"
-    if linear.isotropic:
+    if linear.axisymmetric:
         return whirl
     y, z = (linear.motion[:, position(name)] @ vector for name in ("y", "z"))
     size = np.abs(y) ** 2 + np.abs(z) ** 2

@@ -19,7 +19,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from rotordyn.arrays import Array, Complex, Matrix
+from rotordyn.arrays import Matrix
+from rotordyn.equation.free_motion import synchronous_motions
 from rotordyn.modes.branches import (
     MARGIN,
     MOTIONS,
@@ -34,7 +35,6 @@ from rotordyn.modes.names import named
 from rotordyn.modes.roots import Start, State, rounded, solved
 from rotordyn.numerics.crossing import zero_crossings
 from rotordyn.numerics.follow import mac
-from rotordyn.numerics.synchronous import synchronous
 from rotordyn.scene.formulation import SOFTENED
 from rotordyn.scene.scene import Scene
 
@@ -138,35 +138,20 @@ def _direct(scene: Scene, branches: Sequence[Branch], subsystem: int, line: Line
     ends = np.unique(np.concatenate([speed[[0, -1]], breakpoints_between(scene)]))
     whirling = scene.at(ends).whirling(line.size)
     stiffness = _symmetric(whirling.linear(subsystem).allowed_stiffness)
-    gyroscopic = linear.within(linear.gyroscopic)
     starts = []
     for (low, high), (slow, fast) in zip(pairwise(ends), pairwise(stiffness), strict=True):
         if high - low < max(NARROW * (ends[-1] - ends[0]), APART):
             continue  # two crossings of one mode hardly fit; lines show a single one
         slope = (fast - slow) / (high - low)
         constant = slow - low * slope
-        for side in (1.0, -1.0) if linear.isotropic else (0.0,):
-            spins, vectors = _turning(side, constant, gyroscopic, slope, line.size)
-            for spin, vector in zip(spins, (linear.basis @ vectors).T, strict=True):
-                if low <= spin <= high:
-                    limits = float(speed[0]), float(speed[-1])
-                    starts.append(Start(place, line, float(spin), *limits, vector, side))
+        limits = float(speed[0]), float(speed[-1])
+        motions = synchronous_motions(linear, constant, slope, line.size)
+        starts += [
+            Start(place, line, spin, *limits, vector, side)
+            for spin, vector, side in motions
+            if low <= spin <= high
+        ]
     return starts
-
-
-def _turning(
-    side: float, stiffness: Matrix, gyroscopic: Matrix, slope: Matrix, order: float
-) -> tuple[Array, Complex]:
-    """Return synchronous motions of both planes, ``side`` 0, or, of planes that are one, those that
-    whirl to one side: such of both sides may be at one speed."""
-    if side == 0.0:
-        return synchronous(stiffness, gyroscopic, order, slope)
-    h = len(stiffness) // 2
-    constant, change = (m[:h, :h] - 1j * m[:h, h:] for m in (stiffness, slope))
-    spins, vectors = synchronous(constant, -1j * side * gyroscopic[:h, h:], order, change)
-    return spins, np.concatenate(
-        [vectors, -1j * vectors] if side > 0.0 else [vectors.conj(), 1j * vectors.conj()]
-    )
 
 
 def _symmetric(stiffness: Matrix) -> Matrix:
@@ -230,6 +215,6 @@ def _named(
         degree = float(whirl_degree(linear, vector[None])[0])
         whirl = whirl_along(linear, vector, degree)
     bends = across(linear, state.vector)
-    excited = line.excites(excited_by(kind, whirl, isotropic=linear.isotropic, across=bends))
+    excited = line.excites(excited_by(kind, whirl, axisymmetric=linear.axisymmetric, across=bends))
     ratio = 0.0 - state.pole.real / abs(state.pole)  # no negative zero
     return Critical(name, speed, line, kind, whirl, float(ratio), excited)

@@ -52,13 +52,13 @@ class Line(NamedTuple):
         return self.order != OF_UNBALANCE or excited_by in (self.way, EITHER)
 
 
-def excited_by(kind: str, whirl: str, *, isotropic: bool, across: bool) -> str:
+def excited_by(kind: str, whirl: str, *, axisymmetric: bool, across: bool) -> str:
     """Return the direction in which unbalance rotates that excites a mode: as a bending mode whirls
     where both planes are alike, else ``EITHER``; empty of axial motion and torsion that move no
     shaft ``across`` its axis."""
     if kind != "bending":
         return EITHER if across else ""
-    return whirl if isotropic and whirl in ("forward", "backward") else EITHER
+    return whirl if axisymmetric and whirl in ("forward", "backward") else EITHER
 
 
 def exciting(ratios: Mapping[str, float], orders: Iterable[float]) -> list[Line]:

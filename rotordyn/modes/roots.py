@@ -80,11 +80,7 @@ def solved(
             if abs(state.miss) <= rounded(scene, branches[starts[k].branch]) * abs(state.pole):
                 nearest[k] = starts[k], float(at[k]), state
             next_speed = _next(starts[k], float(at[k]), state.miss)
-            starts[k] = replace(
-                starts[k],
-                vector=state.vector,
-                before=(float(at[k]), state.miss),
-            )
+            starts[k] = replace(starts[k], vector=state.vector, before=(float(at[k]), state.miss))
             if next_speed != at[k]:
                 at[k] = next_speed
                 continuing.append(k)
@@ -146,8 +142,7 @@ def _corrected(
     Cases that are mostly critical speeds (lalanne_ferraris) take 1.6 times as long by ``_states``.
     """
     linear, line = scene.linear(subsystem), starts[0].line.size
-    signs = signs_at(line, whirling=False)
-    stiffness = answering_stiffness(linear, signs)[rows]
+    stiffness = answering_stiffness(linear, signs_at(line))[rows]
     guess = np.asarray(np.array([s.vector for s in starts]) @ linear.basis, dtype=complex)
     damping = linear.within(linear.damping[rows])
     guessed_pole = np.asarray(1j * line * at, dtype=complex)
@@ -163,14 +158,11 @@ def _corrected(
 def _motions(scene: Scene, subsystem: int, start: Start) -> FreeMotions:
     """Return the modes of a subsystem; with loss factors, of motions at the start's multiple of the
     speed. Where planes are one here and not at all speeds, its shape determines its whirl."""
-    motions = scene.system(subsystem)
-    if motions.lossy is None:
-        return motions
-    order = start.line.size
-    if motions.whirling:
+    motions, side = scene.system(subsystem), start.side
+    if motions.linear.axisymmetric and not side:
         degree = whirl_degree(motions.linear, start.vector[None, :, None])
-        order *= start.side or math.copysign(1.0, degree[0, 0])
-    return motions.answering(signs_at(order, whirling=motions.whirling))
+        side = math.copysign(1.0, degree[0, 0])
+    return motions.answering(start.line.size, side)
 
 
 def _nearest(motions: FreeMotions, row: int, start: Start, speed: float) -> State | None:

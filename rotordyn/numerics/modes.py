@@ -248,9 +248,18 @@ def _general(stiffness: Matrix, damping: Matrix) -> tuple[Complex, Complex, Comp
     scale = float(np.sqrt(np.abs(stiffness).max())) or 1.0  # balances displacement and velocity
     matrix[..., :n, n:] *= scale
     matrix[..., n:, :n] /= scale
-    pole, vectors, left = _eigenpairs(matrix)
-    condition = np.abs(left).sum(axis=-1).max(axis=-1)
-    return pole, vectors[..., :n, :], left[..., n:] / scale, condition
+    flat = matrix.reshape(-1, 2 * n, 2 * n)
+
+    def solved(part: slice) -> tuple[Complex, Complex, Complex]:
+        pole, vectors = (np.asarray(array, dtype=complex) for array in np.linalg.eig(flat[part]))
+        return pole, vectors, _inverse(vectors)
+
+    parts = zip(*in_threads(solved, len(flat), LEAST), strict=True)
+    pole, vectors, left = (np.concatenate(part) for part in parts)
+    left = left.reshape(shape)
+    condition: Array = np.abs(left).sum(axis=-1).max(axis=-1)
+    participation = np.asarray(left[..., n:] / scale, dtype=complex)
+    return pole.reshape(shape[:-1]), vectors.reshape(shape)[..., :n, :], participation, condition
 
 
 def _without_free(stiffness: Matrix) -> Matrix:
@@ -261,24 +270,6 @@ def _without_free(stiffness: Matrix) -> Matrix:
     if not row_largest[free].any():
         return stiffness
     return np.where(free[..., None] | free[..., None, :], 0.0, stiffness)
-
-
-def _eigenpairs(matrix: Matrix) -> tuple[Complex, Complex, Complex]:
-    """Return eigenvalues (…, k), right and left vectors (…, k, k) of a batch."""
-    size = matrix.shape[-1]
-    flat = matrix.reshape(-1, size, size)
-
-    def solved(part: slice) -> tuple[Complex, Complex, Complex]:
-        pole, vectors = (np.asarray(array, dtype=complex) for array in np.linalg.eig(flat[part]))
-        return pole, vectors, _inverse(vectors)
-
-    parts = zip(*in_threads(solved, len(flat), LEAST), strict=True)
-    pole, vectors, left = (np.concatenate(array) for array in parts)
-    return (
-        pole.reshape(matrix.shape[:-1]),
-        vectors.reshape(matrix.shape),
-        left.reshape(matrix.shape),
-    )
 
 
 def _polished(

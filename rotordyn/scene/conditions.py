@@ -34,9 +34,7 @@ class Conditions(Description):
     """
 
     kinematics: Annotated[
-        str,
-        Choice(KINEMATICS),
-        "hypothesis of the ball's rotation axis ([theory](theory/ball.md))",
+        str, Choice(KINEMATICS), "hypothesis of the ball's rotation axis ([theory](theory/ball.md))"
     ] = "hybrid"
     moment_sharing: Annotated[
         str, Choice(MOMENT_SHARING), "race that carries the gyroscopic moment"
@@ -68,13 +66,10 @@ class Conditions(Description):
         Force, "external force on the front end of the shaft (of the tool), towards +x"
     ] = 0.0
     tension: Annotated[
-        Force,
-        "force that pulls at both ends of the shaft and needs no support; below 0 it presses",
+        Force, "force that pulls at both ends of the shaft and needs no support; below 0 it presses"
     ] = 0.0
     gravity: Annotated[
-        str,
-        Choice(GRAVITY),
-        "direction of the rotor's weight; sleeves are not weighed",
+        str, Choice(GRAVITY), "direction of the rotor's weight; sleeves are not weighed"
     ] = "none"
     loads: Annotated[
         tuple[PointLoad, ...],

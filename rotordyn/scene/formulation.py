@@ -55,7 +55,7 @@ def require_isotropic(scene: Scene) -> None:
                 "the rotating formulation cannot describe supports that couple bending with "
                 "another motion, nor housings: use the inertial one"
             )
-        if not linear.isotropic:
+        if not linear.axisymmetric:
             raise InvalidInput(
                 "the rotating formulation needs isotropic supports, and those of this machine are "
                 "anisotropic: use the inertial one"

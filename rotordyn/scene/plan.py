@@ -54,7 +54,7 @@ def _bearings(scene: Scene) -> Iterator[str]:
 def _vibration(scene: Scene) -> Iterator[str]:
     for system in scene.systems.values():
         linear, name = system.linear, " and ".join(sorted(system.linear.kinds))
-        if system.whirling:
+        if linear.axisymmetric:
             yield (
                 "every bearing and support is isotropic: both planes of bending "
                 "are one complex plane, half the unknowns"

@@ -74,10 +74,7 @@ def _with_stop_speeds(scene: Scene, speed: Array) -> tuple[Array, list[float]]:
             same = bool((_closed_stops(scene.at(np.array([middle])))[0] == closed_below).all())
             low, high = (middle, high) if same else (low, middle)
         gaps += [(low, high)]
-    return (
-        np.unique(np.concatenate([speed, *gaps])),
-        [0.5 * (low + high) for low, high in gaps],
-    )
+    return (np.unique(np.concatenate([speed, *gaps])), [0.5 * (low + high) for low, high in gaps])
 
 
 def _closed_stops(scene: Scene) -> Flags:

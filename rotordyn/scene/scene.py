@@ -13,14 +13,14 @@ from typing import Any, cast
 
 import numpy as np
 
-from rotordyn.allowance import require_matrices, require_modes
+from rotordyn.allowance import require_matrices
 from rotordyn.arrays import Array, Flags, Indices
 from rotordyn.equation.assemble import assemble, subsystems
 from rotordyn.equation.component import Component
 from rotordyn.equation.dofs import position
 from rotordyn.equation.fineness import Fineness
 from rotordyn.equation.free_motion import FreeMotions, free_motions, responding
-from rotordyn.equation.linear import Linear
+from rotordyn.equation.linear import Linear, name_of
 from rotordyn.equation.seat import in_spindle_frame
 from rotordyn.equation.statics import stands
 from rotordyn.equation.structure import Structure
@@ -176,6 +176,7 @@ class Scene(Statics):
             self.ports,
             self.rigid,
             self._pressed,
+            self._softened,
             self.loaded and self.conditions.loads,
         ),
         lambda self, shared: shared.on_springs_of(self.spindle),
@@ -191,6 +192,7 @@ class Scene(Statics):
             places,
             rigid=self.rigid,
             pressed=self._pressed,
+            softened=self._softened,
             coarse=self.coarse,
         )
 
@@ -198,6 +200,10 @@ class Scene(Statics):
     def _pressed(self) -> bool:
         conditions = self.conditions
         return conditions.axial_stiffening and bool(conditions.tension or conditions.axial_force)
+
+    @property
+    def _softened(self) -> bool:
+        return self.conditions.formulation == SOFTENED
 
     @cached_property
     def stop_speeds(self) -> Array:
@@ -285,10 +291,10 @@ class Scene(Statics):
         speed, tangents, stops = (values[chosen] for values in self.state[:3])
         state = self.state._replace(speed=speed, tangents=tangents, stops=stops)
         force = None if self.force is None else self.force[chosen]
-        softened = self.conditions.formulation == SOFTENED
-        size = sum(component.size for component in self.subsystems[k])
+        parts, softened = self.subsystems[k], self._softened
+        size = sum(component.size for component in parts)
         require_matrices(f"{self.name_of(k)} system", len(state.speed), size, self.case_speeds)
-        solve = partial(assemble, self.rotor, self.subsystems[k], state, force, softened=softened)
+        solve = partial(assemble, self.rotor, parts, state, force, softened=softened)
         return self.timed(f"{self.name_of(k)} system", solve)
 
     def system(self, k: int) -> FreeMotions:
@@ -306,13 +312,8 @@ class Scene(Statics):
         key = k, b"" if all_rows or rows is None else rows.tobytes()
         if key not in self._at_rows:
             linear, name = self.linear(k, rows), f"{self.name_of(k)} modes"
-            if few and not linear.isotropic and linear.loss is None:
-                return self.timed(name, partial(responding, linear))
-            require_modes(
-                name,
-                len(linear.speed) if "bending" in linear.kinds else 1,
-                linear.size // 2 if linear.isotropic else linear.size,
-            )
+            if few and (motions := self.timed(name, partial(responding, linear))):
+                return motions
             solve = partial(free_motions, linear, self._ceiling)
             self._at_rows[key] = self.timed(name, solve)
         return self._at_rows[key]
@@ -325,9 +326,7 @@ class Scene(Statics):
 
     def name_of(self, k: int) -> str:
         """Return the motions of a subsystem: "bending", "bending and axial" …."""
-        order = ("bending", "axial", "torsion")
-        motions = {line.kind for c in self.subsystems[k] for line in c.lines}
-        return " and ".join(name for name in order if name in motions) or "housing"
+        return name_of(self.subsystems[k])
 
     def with_motions(self, motions: Iterable[str]) -> list[int]:
         """Return the subsystems in which any of "bending", "axial" and "torsion" takes part."""

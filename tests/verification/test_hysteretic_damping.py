@@ -534,7 +534,7 @@ def test_a_sign_that_never_changes_drives_forward_whirl_at_rest() -> None:
     frequency it is the same as ours."""
     omega, _ = still()
     found = scene(disc(), [0.0, 0.5 * omega, 2.0 * omega])
-    skew = system_of(found).answering(Signs(-1, 0, 1)).modes.pole
+    skew = system_of(found).lossy.answering(Signs(-1, 0, 1)).pole
     ours = system_of(found).modes.pole
 
     def whirling(poles: Complex, side: float) -> Complex:

@@ -132,6 +132,19 @@ def test_ten_thousand_sections_of_a_pinned_beam(spin: float) -> None:
     assert told.max() < 2e-5
 
 
+def test_receptances_of_ten_thousand_sections_take_little_memory() -> None:
+    """Two refined models included."""
+    held = tuple(support(name, x, (1e8, 1e8), 1e3) for name, x in (("a", 0.1), ("b", 0.9)))
+    spec = FrfSpec(tuple(np.linspace(5.0, 1500.0, 300)), pairs("tip.y/tip.y"))
+    tracemalloc.start()
+    try:
+        result = frf.solve(scene(wavy(10_000, supports=held), (1000.0,), 1500.0), spec)
+        assert tracemalloc.get_traced_memory()[1] < 265e6
+    finally:
+        tracemalloc.stop()
+    assert np.isfinite(result.response).all()
+
+
 @pytest.mark.parametrize("rotor", ["flexible", "rigid"])
 def test_ten_thousand_sections_bounce_and_pitch(rotor: str) -> None:
     """On soft supports a stiff bar is a rigid body: its two closed frequencies."""

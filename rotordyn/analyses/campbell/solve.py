@@ -123,7 +123,7 @@ def _excited_by(scene: Scene, branch: Branch) -> str:
     whirl = "forward" if np.nansum(branch.degree) > 0.0 else "backward"
     linear = scene.system(branch.subsystem).linear
     bends = across(linear, branch.vector)
-    return excited_by(branch.kind, whirl, isotropic=linear.isotropic, across=bends)
+    return excited_by(branch.kind, whirl, axisymmetric=linear.axisymmetric, across=bends)
 
 
 def _table(rows: list[Array], shape: tuple[int, int]) -> Array:

@@ -68,9 +68,7 @@ class Peaks(NamedTuple):
 def frequency_of(motions: FreeMotions, *, turning: bool) -> Array:
     """Frequencies [Hz] of the poles (s, k); ``turning``: in the frame that rotates with the
     shaft."""
-    omega = motions.pole.imag
-    if turning and motions.whirling:
-        omega = np.abs(motions.whirl * omega - motions.linear.speed[:, None])
+    omega = motions.turning_frequency if turning else motions.pole.imag
     return np.asarray(omega / (2.0 * math.pi))
 
 

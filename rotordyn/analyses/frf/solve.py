@@ -258,7 +258,7 @@ def _responses_of(
     """Function of frequency (f,) or (speeds, f) [Hz] and, optionally, a slice of the pairs, which
     gives responses (speeds, pairs, f) of a subsystem; NaN counts as 1 Hz."""
     response, excitation = _rows(scene, motions, pairs).swapaxes(0, 1)
-    turning = scene.conditions.formulation == ROTATING and motions.whirling
+    turning = scene.conditions.formulation == ROTATING
     of_rows = motions.turning_receptance if turning else motions.receptance
 
     def responses(frequency: Array, chosen: slice = slice(None)) -> Complex:

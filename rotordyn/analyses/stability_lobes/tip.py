@@ -98,11 +98,10 @@ class Tip:
             if motions.lossy is not None or motions.modes.condition.max() >= WELL_CONDITIONED:
                 return None
             directions = np.eye(2)[sorted({i for i, _ in pairs})] @ self._axes.T
-            # a real pole is its own conjugate, which ``ModalTip`` adds
-            is_real = (motions.pole.imag == 0.0) & (not motions.whirling)
             shape = np.einsum("wn,snk->skw", rows, motions.vector) @ directions
             poles.append(motions.pole)
-            shapes.append(np.where(is_real[..., None], 0.5 * shape, shape))
+            # ``ModalTip`` adds the conjugate of every pole
+            shapes.append(np.where(motions.paired[..., None], shape, 0.5 * shape))
             participations.append(np.einsum("skn,wn->skw", motions.left, rows) @ directions)
         tool = TipModes(*(np.concatenate(each, axis=1) for each in (poles, shapes, participations)))
         return tool.beside(self.workpiece)

@@ -15,7 +15,6 @@ from rotordyn.analyses.unbalance.run_up import Parts, Run, blended
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec, run_name
 from rotordyn.analyses.unbalance.steady import AXES, displacement_rows, load_of, out_of_balance
 from rotordyn.arrays import Array, Complex, Indices, Matrix
-from rotordyn.equation.constraint import along
 from rotordyn.equation.dofs import position
 from rotordyn.equation.linear import Linear
 from rotordyn.errors import NoSolution
@@ -138,10 +137,9 @@ def _converged(machine: _SpeedRange, time: float, *, down: bool) -> tuple[Array,
 
 class _Solved(NamedTuple):
     """Subsystem at every speed of a range: pole, vector, left, damping, stiffness, rows and rates,
-    each (s, …); in complex coordinates of both planes if ``whirl``; ``force``, ``direct``."""
+    each (s, …), in the coordinates of the modes; ``force``, ``direct``."""
 
     arrays: list[NDArray[Any]]
-    whirl: bool
     force: Complex
     direct: Complex
 
@@ -216,7 +214,7 @@ class _SpeedRange:
     def _parts(self, k: int, middles: Indices, edges: Array) -> Parts:
         """Return parts of a subsystem between ``edges`` with the modes of ``middles``. A rotor that
         turns against the spindle moves as the conjugate of one that turns with it."""
-        arrays, _, force, direct = self.solved[k]
+        arrays, force, direct = self.solved[k]
         first = 0 if edges[0] <= edges[-1] else -1
         every = *(a[first] for a in arrays[3:5]), *(a[middles] for a in arrays), force, direct
         turned = [np.conj(array) if self.ratio < 0.0 else array for array in every]
@@ -240,7 +238,8 @@ class _SpeedRange:
             )
         self.slowest[new] = slowest_pole(scene, self.spec)
         parts = [self._subsystem(scene, k) for k in out_of_balance(scene, self.spec)]
-        if self.solved and [each.whirl for each in parts] != [each.whirl for each in self.solved]:
+        sizes = [[len(each.force) for each in of] for of in (parts, self.solved)]
+        if self.solved and sizes[0] != sizes[1]:
             self.solved, done = [], np.flatnonzero(self.known)  # new coordinates: solve all again
             self.known[:] = False
             self._solve(np.concatenate([new, done]))
@@ -266,17 +265,10 @@ class _SpeedRange:
                 "damped, are not distinct"
             )
         load = load_of(scene, linear, self.spec)
-        force, (*rows, direct) = (
-            along(load, linear.basis),
-            _output_rows(scene, linear, self.spec, load),
-        )
-        rows = [along(matrix, linear.basis) for matrix in rows]
-        if motions.whirling:
-            half = len(force) // 2
-            force = force[:half]
-            rows = [matrix[..., :half] - 1j * matrix[..., half:] for matrix in rows]
+        *outputs, direct = _output_rows(scene, linear, self.spec, load)
+        force, rows = motions.turned(load, outputs)
         arrays = [modes.pole, modes.vector, modes.participation, modes.damping, modes.stiffness]
-        return _Solved([*arrays, *rows], motions.whirling, force, direct)
+        return _Solved([*arrays, *rows], force, direct)
 
 
 def _output_rows(

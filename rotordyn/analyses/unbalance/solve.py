@@ -27,7 +27,6 @@ from rotordyn.analyses.unbalance.steady import (
 from rotordyn.arrays import Array, Complex, Indices
 from rotordyn.equation.dofs import position
 from rotordyn.equation.free_motion import FreeMotions
-from rotordyn.equation.hysteresis import SYNCHRONOUS
 from rotordyn.equation.linear import Linear
 from rotordyn.equation.squeeze_film import film_coefficients
 from rotordyn.errors import NoSolution
@@ -249,7 +248,7 @@ def _film_orbits(spindle: Spindle, speed: Array, ratio: float, force: Array) -> 
 
 def _absences(motions: FreeMotions, speed: Array) -> list[str]:
     """Return for each speed why it has no steady solution, or ""."""
-    synchronous = motions.answering(SYNCHRONOUS)
+    synchronous = motions.answering(1.0)
     spin, size = speed[:, None], np.abs(speed)[:, None]
     near = np.abs(synchronous.pole - 1j * size) <= UNDAMPED * size
     undamped = (near & (synchronous.whirl * spin >= 0.0)).any(axis=1) & (speed != 0.0)

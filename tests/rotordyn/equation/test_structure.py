@@ -19,7 +19,7 @@ def moved(built: Structure, name: str, direction: str, inner: float, outer: floa
     """Relative motion (6,) where both rotors move so far in a direction, each at its node."""
     motion = np.zeros(built.dofs.count)
     support = next(s for s in COAXIAL.supports if s.name == name)
-    link = next(each for each in built.supports if each.name == name)
+    link = next(each for each in built.connections if each.name == name)
     for rotor, way in (("spindle", inner), ("outer", outer)):
         if rotor in (support.holds, support.against):
             motion[built.node(rotor, support.x)[position(direction)]] = way
