@@ -66,12 +66,14 @@ class AtRest:
     """``moved`` (states, nodes, 6): displacements of the shaft [m, rad], at a joint those of the
     part in front; ``apart`` (states, elements, 6): additional displacement of the front end of an
     element behind a joint; ``push`` (states, connections, 6): loads of connections on the shaft
-    [N, N·m]; ``pulled`` (states, elements, 2): force along y and z of a drawbar inside the shaft.
+    [N, N·m]; ``strained`` (states, connections, 6): displacement of the shaft there against what
+    carries it; ``pulled`` (states, elements, 2): force along y and z of a drawbar inside the shaft.
     """
 
     moved: Array
     apart: Array
     push: Array
+    strained: Array
     pulled: Array
 
 
@@ -217,13 +219,14 @@ class StaticEquation:
             apart[:, at, position(name)] = self.structure.dofs.sign[dof] * moved[:, dof]
         connections = len(self.structure.connections)
         push = force[:, : 6 * connections].reshape(states, connections, 6)
+        strained = (moved @ self.motions[: 6 * connections].T).reshape(states, connections, 6)
         pulled = np.zeros((states, len(x) - 1, 2))
         bar, last = self.structure.spindle.drawbar, self.at[len(self.at) - len(self.bars) :]
         contacts = bar.contacts if bar and self.bars else ()
         for ends, at in zip(pairwise(contacts), last, strict=True):
             low, high = map(self.mesh.node_of, ends)
             pulled[:, low:high] = -force[:, None, at]
-        return AtRest(nodes, apart, push, pulled)
+        return AtRest(nodes, apart, push, strained, pulled)
 
 
 def _holding(structure: Structure) -> Iterator[Springs]:
