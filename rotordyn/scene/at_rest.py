@@ -53,7 +53,7 @@ def at_rest(scene: Scene, mesh: Mesh, acting: Sequence[Acting]) -> list[AtRest]:
     for loads in acting:
         on_shaft = on_nodes(loads.point, loads.line, mesh.x)
         front = require_balance(spindle, mesh.x, on_shaft).T * length_scale(spindle)
-    equation = StaticEquation(spindle, mesh, front, rigid=scene.rigid, drawbar=axial is not None)
+    equation = StaticEquation(spindle, mesh, front, rigid=scene.rigid, bent=axial is not None)
     try:
         return equation.solve(scene.state, axial, acting)
     except Undetermined as failed:

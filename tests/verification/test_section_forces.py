@@ -565,7 +565,7 @@ def test_an_axial_force_bends_a_column_on_or_holds_it_straight(share: float) -> 
     load = PointLoad(L / 2, Fy=60.0, Fz=80.0)
     found = solved(column, load, conditions=Conditions(tension=tension))
     deflection, moment = beam_column(share, 100.0)
-    near = {"rel": 1e-7 if abs(share) < 0.9 else 5e-6}
+    near = {"rel": 1e-10}
     assert at(found, "deflection_y", L / 2) == pytest.approx(0.6 * deflection, **near)
     assert at(found, "deflection_z", L / 2) == pytest.approx(0.8 * deflection, **near)
     assert at(found, "bending_moment_z", L / 2) == pytest.approx(-0.6 * moment, **near)
