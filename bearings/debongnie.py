@@ -91,7 +91,10 @@ def power_law(ratio: ArrayLike, variant: str = "corrected") -> PowerLaw:
     if variant == "corrected":
         return PowerLaw(b**-n, n)
     n = np.round(n, 3)  # 1.380 at ki = ke as well
-    return PowerLaw(np.where(np.isclose(k, 1.0, rtol=1e-9), FITTED, np.round(b**-n, 4)), n)
+    factor = b**-n
+    digit = 10.0 ** (3.0 - np.floor(np.log10(factor)))  # the last of four
+    factor = np.round(factor * digit) / digit
+    return PowerLaw(np.where(np.isclose(k, 1.0, rtol=1e-9), FITTED, factor), n)
 
 
 class Distribution(NamedTuple):

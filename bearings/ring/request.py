@@ -37,7 +37,7 @@ BY_BALL = (
     "outer_required_friction",
 )
 ALIKE = ("raceways", "touching", "both_ways")  # of a bearing and the one of a start
-STRAIGHT = 1e-9  # sine of a contact angle up to which its sign is rounding
+STRAIGHT = 1e-9  # rad, contact angle up to which its sign is rounding
 BY_CONTACT = ("contact_load", "contact_angle", "contact_pressure")
 
 
@@ -139,7 +139,8 @@ def _store(states: Arrays, index: Index, problem: Problem, solution: Solution) -
         "ball_centre": solution.ball.swapaxes(0, 1),
     }
     pressure = np.maximum(values["inner_pressure"], values["outer_pressure"])
-    pressure = np.where(values["status"] == "open side", 0.0, pressure).max(axis=-1)  # rings apart
+    apart = (values["status"] == "open side") & (values["inner_angle"] < -STRAIGHT)  # the rings
+    pressure = np.where(apart, 0.0, pressure).max(axis=-1)
     crushed = (solution.outcome == "") & (pressure > CRUSHED)
     outcome = np.where(crushed, "overloaded", solution.outcome)
     states["outcome"][index] = outcome
@@ -162,7 +163,7 @@ def _of_balls(problem: Problem, solution: Solution) -> Arrays:
     if g.single:  # also without load the directions of the contacts
         inner_angle, outer_angle = np.arctan2(solution.contacts.sin, solution.contacts.cos)
     idle = "lost contact" if problem.turning else "unloaded"
-    word = np.where((inner_angle < 0.0) & (not g.both_ways), "open side", "loaded")
+    word = np.where((inner_angle < STRAIGHT) & (not g.both_ways), "open side", "loaded")
     by_contact = (load, np.where(load > 0.0, angle, np.nan), pressure)
     return {
         "inner_load": qi,

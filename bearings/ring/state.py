@@ -37,8 +37,8 @@ class BearingState:
     ``outer_pressure`` [Pa]: largest of each race; ``centrifugal_force`` [N],
     ``gyroscopic_moment`` [N·m]; ``inner_required_friction``, ``outer_required_friction``:
     friction coefficient that each race needs to carry its share of the gyroscopic moment;
-    ``status``: ``"loaded"``, ``"open side"`` (loaded against the side without a shoulder),
-    ``"lost contact"`` (rides the outer race), ``"unloaded"`` (at rest).
+    ``status``: ``"loaded"``, ``"open side"`` (loaded against the side without a shoulder, or in the
+    middle of the groove), ``"lost contact"`` (rides the outer race), ``"unloaded"`` (at rest).
 
     ``outcome`` (…): ``""`` where the state exists; where it does not, all numbers are NaN.
     ``ball_centre`` (2, …, balls), with the shifts of grooves behind where rings deform: a start

@@ -11,8 +11,10 @@ from rotordyn.arrays import Array
 from rotordyn.equation.dofs import DIRECTIONS, position
 from rotordyn.equation.seat import BEARING_DIRECTIONS
 from rotordyn.equation.support import node_matrix
+from rotordyn.machine.plausibility import SOFT
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
+from rotordyn.numerics.groups import first_joined
 
 ZERO = 1e-9  # of the largest: a motion with less is free
 
@@ -49,11 +51,19 @@ def unrestrained_motions(spindle: Spindle) -> Array:
     for support in spindle.supports:
         motion = rigid_motion(np.array(support.x), front)
         stiff = node_matrix(_largest(support)) / scale / scale[:, None]
-        largest = np.abs(stiff).max()
         rows.append(motion[[position(direction) for direction in support.rigid]])
-        rows.append(stiff / largest @ (scale[:, None] * motion) if largest > 0.0 else motion[:0])
+        rows.append(_relative(stiff) @ (scale[:, None] * motion))
     _, size, directions = np.linalg.svd(np.concatenate(rows) / scale * scale[3])
     return np.asarray(directions[size <= ZERO * size[0]].T)
+
+
+def _relative(stiff: Array) -> Array:
+    """Return a stiffness (6, 6) over the largest entry of the directions that it couples: a spring
+    without coupling holds as well beside a far stiffer one, unless it is meant as none."""
+    first, size = first_joined(stiff != 0.0), np.abs(stiff)
+    largest = np.array([size[first == each].max() for each in first])
+    largest = np.where(largest < SOFT[0], size.max(), largest)
+    return stiff / np.where(largest > 0.0, largest, 1.0)[:, None]
 
 
 def _largest(support: LinearSupport) -> dict[tuple[str, str], float]:

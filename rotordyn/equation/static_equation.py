@@ -7,7 +7,7 @@ the front end held, and what holds other bodies; S is their stiffness, e an offs
 sides of a link, G the stiffness by the axial force: K = G + Mᵀ S M. So neither stiff nor short
 springs take digits of others, and forces that equilibrium alone determines are exact to rounding.
 Nodes of cylinders move as their exact solution; elements of cones are as fine as ``ACCURACY``
-requires.
+requires, those under an axial force ``BENT`` degrees higher.
 
 Theory: docs/theory/statics.md#equilibrium.
 """
@@ -36,6 +36,7 @@ from rotordyn.machine.support import SPINDLE
 from rotordyn.numerics.sparse import Matrix, summed
 
 ACCURACY = 1e-9  # of cones
+BENT = 2  # degrees more of elements under an axial force, in whose bending they are not exact
 GAUSS = 9  # degree up to which the work of line loads is integrated exactly
 LOST = 1e-6  # of the largest displacement or force: larger rounding errors are refused
 ROUNDING = 2.0**-52
@@ -66,12 +67,14 @@ class AtRest:
     """``moved`` (states, nodes, 6): displacements of the shaft [m, rad], at a joint those of the
     part in front; ``apart`` (states, elements, 6): additional displacement of the front end of an
     element behind a joint; ``push`` (states, connections, 6): loads of connections on the shaft
-    [N, N·m]; ``pulled`` (states, elements, 2): force along y and z of a drawbar inside the shaft.
+    [N, N·m]; ``strained`` (states, connections, 6): displacement of the shaft there against what
+    carries it; ``pulled`` (states, elements, 2): force along y and z of a drawbar inside the shaft.
     """
 
     moved: Array
     apart: Array
     push: Array
+    strained: Array
     pulled: Array
 
 
@@ -87,16 +90,18 @@ class StaticEquation:
     """The equation of a spindle's shaft with nodes of a ``mesh``, on its connections.
 
     ``front`` (k, 6): combinations of the displacements of the front end that are zero, those that
-    nothing holds. ``rigid``: the shaft does not deform; ``drawbar``: its tension acts on bending.
+    nothing holds. ``rigid``: the shaft does not deform; ``bent``: the axial force acts on bending,
+    and so does the tension of a drawbar.
     """
 
     def __init__(
-        self, spindle: Spindle, mesh: Mesh, front: Array, *, rigid: bool, drawbar: bool
+        self, spindle: Spindle, mesh: Mesh, front: Array, *, rigid: bool, bent: bool
     ) -> None:
-        structure = Structure(spindle, mesh, Fineness(0.0, accuracy=ACCURACY), rigid=rigid)
+        fine = Fineness(0.0, accuracy=ACCURACY, finer=BENT if bent else 0)
+        structure = Structure(spindle, mesh, fine, rigid=rigid)
         self.structure, self.mesh, self.shaft = structure, mesh, structure.shafts[SPINDLE]
         self.basis = _rigid_motions(structure) if rigid else None
-        self.bars = structure.drawbar if drawbar else []
+        self.bars = structure.drawbar if bent else []
         self.links = [*structure.connections, *structure.sleeve_springs, *self.bars]
         moving = [(link.dofs[None], link.motions[None]) for link in self.links]
         springs = [] if rigid else [each for way in NAMES for each in self._elements(way)]
@@ -217,13 +222,14 @@ class StaticEquation:
             apart[:, at, position(name)] = self.structure.dofs.sign[dof] * moved[:, dof]
         connections = len(self.structure.connections)
         push = force[:, : 6 * connections].reshape(states, connections, 6)
+        strained = (moved @ self.motions[: 6 * connections].T).reshape(states, connections, 6)
         pulled = np.zeros((states, len(x) - 1, 2))
         bar, last = self.structure.spindle.drawbar, self.at[len(self.at) - len(self.bars) :]
         contacts = bar.contacts if bar and self.bars else ()
         for ends, at in zip(pairwise(contacts), last, strict=True):
             low, high = map(self.mesh.node_of, ends)
             pulled[:, low:high] = -force[:, None, at]
-        return AtRest(nodes, apart, push, pulled)
+        return AtRest(nodes, apart, push, strained, pulled)
 
 
 def _holding(structure: Structure) -> Iterator[Springs]:

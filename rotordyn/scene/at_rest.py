@@ -9,6 +9,7 @@ Theory: docs/theory/statics.md.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -52,17 +53,24 @@ def at_rest(scene: Scene, mesh: Mesh, acting: Sequence[Acting]) -> list[AtRest]:
     for loads in acting:
         on_shaft = on_nodes(loads.point, loads.line, mesh.x)
         front = require_balance(spindle, mesh.x, on_shaft).T * length_scale(spindle)
-    equation = StaticEquation(spindle, mesh, front, rigid=scene.rigid, drawbar=axial is not None)
+    equation = StaticEquation(spindle, mesh, front, rigid=scene.rigid, bent=axial is not None)
     try:
         return equation.solve(scene.state, axial, acting)
     except Undetermined as failed:
-        if axial is None:
-            raise InvalidInput(UNDETERMINED) from None
-        rpm = scene.speed[scene.usable[failed.row]] * RPM.factor
-        raise NoSolution(
-            f"the bent shaft has no static equilibrium under its axial force at {rpm:.0f} rpm: it "
-            "is near buckling; lower the axial force, or leave it out by axial_stiffening: false"
-        ) from None
+        speed = float(scene.speed[scene.usable[failed.row]])
+    _require_springs(spindle, speed)
+    try:
+        if axial is not None:
+            equation.solve(scene.state, None, acting)
+    except Undetermined:
+        axial = None  # it is not the cause
+    if axial is None:
+        raise InvalidInput(UNDETERMINED)
+    raise NoSolution(
+        "the bent shaft has no static equilibrium under its axial force at "
+        f"{speed * RPM.factor:.0f} rpm: it is near buckling; lower the axial force, or leave it "
+        "out by axial_stiffening: false"
+    )
 
 
 def cut_forces(scene: Scene, mesh: Mesh, acting: Acting, rest: AtRest) -> SectionForces:
@@ -127,6 +135,23 @@ def require_balance(spindle: Spindle, x: Array, loads: Sequence[Array] | Array) 
         if unbalanced.any():
             raise InvalidInput(_free_body(free[:, unbalanced] @ imbalance[unbalanced], scale))
     return free
+
+
+def _require_springs(spindle: Spindle, speed: float) -> None:
+    """Require that supports with tables hold at ``speed`` [rad/s] what they hold elsewhere.
+
+    Raises
+    ------
+    InvalidInput : their stiffness is zero there
+    """
+    there = replace(spindle, supports=tuple(each.at(speed) for each in spindle.supports))
+    free = unrestrained_motions(there)
+    if free.shape[1] > unrestrained_motions(spindle).shape[1]:
+        raise InvalidInput(
+            f"free body in a static case at {speed * RPM.factor:.0f} rpm: {free_names(free)} "
+            "unrestrained, since the table of a support has no stiffness there; give it some, or "
+            "leave this speed out"
+        )
 
 
 def _free_body(imbalance: Array, scale: Array) -> str:

@@ -59,9 +59,9 @@ class Conditions(Description):
     bearings: Annotated[
         str, Choice(BEARINGS), "`static`: the state at rest is used at every speed"
     ] = "dynamic"
-    rotor: Annotated[str, Choice(ROTOR), "`rigid`: the shaft does not bend, stretch or twist"] = (
-        "flexible"
-    )
+    rotor: Annotated[
+        str, Choice(ROTOR), "`rigid`: the shaft and its joints do not bend, stretch or twist"
+    ] = "flexible"
     axial_force: Annotated[
         Force, "external force on the front end of the shaft (of the tool), towards +x"
     ] = 0.0

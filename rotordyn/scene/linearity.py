@@ -44,19 +44,18 @@ def ring_rows(scene: Scene, part: Linear) -> Array:
     return rows
 
 
-def ring_displacements(scene: Scene, load: Array) -> Array:
-    """Return the displacement of rings (usable, seats, 5) by their tangents, under forces and
-    moments in the spindle's frame (usable, seats, 6)."""
+def ring_displacements(scene: Scene, strained: Array) -> Array:
+    """Return the displacement of rings, inner against outer in the frames of the bearings (usable,
+    seats, 5), from that in the spindle's frame (usable, seats, 6)."""
     turns = [HALF_TURN_ABOUT_Y if seat.thrust < 0 else 1.0 for seat in scene.spindle.seats]
-    bearing_load = load[..., RING] * np.array([np.broadcast_to(turn, len(RING)) for turn in turns])
-    inverse = np.linalg.pinv(scene.seat_stiffness, rcond=1e-12)
-    return np.asarray((inverse @ bearing_load[..., None])[..., 0])
+    return strained[..., RING] * np.array([np.broadcast_to(turn, len(RING)) for turn in turns])
 
 
 def departure(scene: Scene, moved: Array | Complex) -> Array:
     """Return the relative deviation of every bearing's load at usable speeds (usable, seats): what
     its law adds to the preload state, against what its tangent adds, over the latter; infinite
-    where a bearing is overloaded or has no equilibrium, NaN with oil films.
+    where a bearing is overloaded or has no equilibrium, or where one without load comes under load;
+    NaN with oil films.
 
     ``moved`` (usable, seats, 5): displacement of the rings, or amplitude of a harmonic one.
     """
@@ -97,7 +96,7 @@ def tangent_warnings(
     reported = [
         f"{name} by {100.0 * share:.0f} %"
         if np.isfinite(share)
-        else f"{name} is overloaded or has no equilibrium"
+        else f"{name} is overloaded or has no equilibrium, or comes under load"
         for name, share in zip(names, worst, strict=True)
         if share > REPORTED
     ]

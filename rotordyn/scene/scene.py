@@ -160,7 +160,7 @@ class Scene(Statics):
         flow = self.conditions.heat_flow
         frame = frame_notes(self.conditions.formulation)
         flows = () if flow is None else (flow.note,)
-        joints = joint_notes(self.spindle)
+        joints = joint_notes(self.spindle, rigid=self.rigid)
         return (*frame, *joints, *friction_notes(self), *ring_notes(self), *arc_notes(self), *flows)
 
     @property

@@ -156,8 +156,11 @@ def arc_notes(scene: Scene) -> Iterator[str]:
             )
 
 
-def joint_notes(spindle: Spindle) -> Iterator[str]:
-    """Note points at joints, which belong to the part in front."""
+def joint_notes(spindle: Spindle, *, rigid: bool) -> Iterator[str]:
+    """Note joints of a ``rigid`` shaft, and points at joints, which belong to the part in front."""
+    if rigid and spindle.joints:
+        names = ", ".join(joint.name for joint in spindle.joints)
+        yield f"with rotor: rigid the joints of the shaft are rigid as well: {names}"
     for joint, (name, x) in product(spindle.joints, spindle.points.items()):
         if abs(x - joint.x) <= SLACK:
             yield (

@@ -138,6 +138,16 @@ def test_thrust_the_wrong_way_is_named() -> None:
     assert (s.status[1] == "loaded").all()
 
 
+def test_balls_in_the_middle_of_the_groove_are_on_the_open_side() -> None:
+    """A radial load alone presses balls at 0°, whose sign is rounding."""
+    radial = np.zeros((40, 5))
+    radial[:, 1] = np.geomspace(1.0, 1e5, 40)
+    s = replace(VEX70, contact_angle=math.radians(15.0)).equilibrium(load=radial)
+    middle = (s.inner_load > 0.0) & (np.abs(s.inner_angle) < 1e-9)
+    assert middle.sum() > 100
+    assert (s.status[middle] == "open side").all()
+
+
 NAN = math.nan
 
 

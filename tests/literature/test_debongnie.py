@@ -243,6 +243,14 @@ def test_power_law_of_the_original_variant(ratio: str, factor: str, exponent: st
     assert debongnie.power_law(np.nextafter(float(ratio), 2.0), "original") == law
 
 
+@pytest.mark.parametrize("ratio", [1e-3, 10.0, 1e3, 1e6])
+def test_the_original_variant_keeps_four_digits_beyond_the_table(ratio: float) -> None:
+    law = debongnie.power_law(ratio)
+    original = debongnie.power_law(ratio, "original")
+    assert original.factor == pytest.approx(law.factor, rel=2e-3)  # of the rounded n
+    assert original.exponent == pytest.approx(law.exponent, abs=5.01e-4)
+
+
 def test_constants_of_the_example() -> None:
     """Ci/Ce = 0.5246, C/Ci = 0.9675 at D/dm = π/16 (23, 24); factors of n = 1.5 and 1.38."""
     a, b = debongnie.race_weights(math.pi / 16.0)

@@ -429,3 +429,13 @@ def test_what_turns_with_the_shaft_does_not_damp_synchronous_whirl() -> None:
     for pole in one.modes.pole[0]:
         for poles in (real, found):
             assert np.abs(poles - pole).min() < 1e-5 * abs(pole)
+
+
+def test_a_rigid_rotor_notes_that_its_joints_are_rigid() -> None:
+    rotor = replace(STEPPED, joints=(PARTED,), supports=HELD)
+    own, speeds = Conditions(), np.array([0.0])
+    flexible, rigid = (
+        Scene(rotor, replace(own, rotor=word), speeds).notes for word in ("flexible", "rigid")
+    )
+    assert not flexible
+    assert rigid == (f"with rotor: rigid the joints of the shaft are rigid as well: {PARTED.name}",)

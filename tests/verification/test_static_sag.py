@@ -411,7 +411,7 @@ def test_sag_under_an_axial_force(share: float) -> None:
     k = cmath.sqrt(force / EI)
     sag = W / force * ((1.0 / cmath.cos(k * L / 2.0) - 1.0) / k**2 - L**2 / 8.0)
     found = solved(column, "middle", Conditions(tension=-force))
-    assert found.sag[0, 0, 0] == pytest.approx(-sag.real, rel=1e-5)
+    assert found.sag[0, 0, 0] == pytest.approx(-sag.real, rel=1e-10)
 
 
 def test_a_sag_that_is_not_small_is_said() -> None:

@@ -122,7 +122,7 @@ def _contacts(result: BearingMapResult) -> list[str]:
         ball = int(result.loaded_ball[-1, k]) if result.ball.size > 1 else 0
         ball_text = f"ball {ball} at {result.ball[ball] * DEGREE.factor:.0f}°: "
         parts = [
-            f"{name} {load:.0f} N at {angle * DEGREE.factor:.1f}°"
+            f"{name} {load:.0f} N at {angle * DEGREE.factor:z.1f}°"
             for name, load, angle in zip(
                 result.contact,
                 result.contact_load[-1, k, ball],

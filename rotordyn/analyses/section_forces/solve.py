@@ -45,7 +45,8 @@ def solve(scene: Scene, spec: SectionForcesSpec) -> SectionForcesResult:
     departures = np.full((len(at_ends), len(spindle.connections)), np.nan)
     if spindle.seats:
         seats = len(spindle.seats)
-        departures[:, :seats] = departure(scene, ring_displacements(scene, -push[:, :seats]))
+        rings = ring_displacements(scene, rest.strained[:, :seats])
+        departures[:, :seats] = departure(scene, rings)
         at_ends[..., 0] += _preloaded(scene, mesh)
         push = push + _preload_push(scene)
     cut = scene.scattered(at_ends.reshape(len(at_ends), -1, 6))

@@ -7,7 +7,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rotordyn.equation.holding import has_redundant_supports, rigid_motion
+from rotordyn.equation.holding import (
+    free_names,
+    has_redundant_supports,
+    rigid_motion,
+    unrestrained_motions,
+)
 from rotordyn.machine.support import LinearSupport
 from tests.oracles.rotors import STEPPED
 
@@ -44,3 +49,14 @@ def test_a_rigid_motion_is_a_turn_about_the_front() -> None:
     for place, moved in zip(x, found, strict=True):
         turned = np.cross(motion[3:], [place - 0.2, 0.0, 0.0])
         assert moved == pytest.approx([*(motion[:3] + turned), *motion[3:]], rel=1e-13, abs=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("along", "free"),
+    [(1e3, "thx"), (1.0, "thx"), (1e-15, "x, thx")],  # the last is meant as no spring
+)
+def test_a_soft_spring_holds_beside_a_stiff_one(along: float, free: str) -> None:
+    """A guide along the axis beside 10¹³ N/m across it, which stand for rigid."""
+    across = {("x", "x"): along, ("y", "y"): 1e13, ("z", "z"): 1e13}
+    supports = tuple(LinearSupport(f"s{k}", x, across) for k, x in enumerate(HERE[:2]))
+    assert free_names(unrestrained_motions(replace(STEPPED, supports=supports))) == free

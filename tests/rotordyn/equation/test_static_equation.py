@@ -37,7 +37,7 @@ def shaft(*sections: Section, supports: tuple[LinearSupport, ...] = (WALL,)) -> 
 
 def equation(spindle: Spindle) -> StaticEquation:
     front = np.zeros((0, 6))
-    return StaticEquation(spindle, build_mesh(spindle), front, rigid=False, drawbar=False)
+    return StaticEquation(spindle, build_mesh(spindle), front, rigid=False, bent=False)
 
 
 def loaded(spindle: Spindle, force: np.ndarray, line: np.ndarray | None = None) -> np.ndarray:

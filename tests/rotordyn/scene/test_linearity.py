@@ -114,6 +114,22 @@ def test_rings_without_a_state_depart_by_any_share(
     assert "first at 12000 rpm: a is overloaded or has no equilibrium" in warning
 
 
+def test_a_bearing_without_load_that_comes_under_load_is_reported() -> None:
+    """A pull unloads the front bearings; a force on the nose then presses the shaft into them."""
+    scene = Scene(mfw2310(), conditions(axial_force=-2500.0), np.array([0.0]))
+    assert (scene.shaft_force.push[0, :2] == 0.0).all()
+    light, heavy = (
+        statics(scene, SectionForcesSpec(loads=(PointLoad("nose_face", Fy=force),)))
+        for force in (1000.0, 3000.0)
+    )
+    assert (light.departure[0, :2] == 0.0).all()
+    assert not heavy.reaction[0, :2, 1].any()
+    assert (heavy.departure[0, :2] == np.inf).all()
+    assert (heavy.departure[0, 2:] < REPORTED).all()
+    (said,) = static_warnings(heavy)
+    assert "a is overloaded or has no equilibrium, or comes under load" in said
+
+
 def test_beside_films_nothing_is_compared() -> None:
     oil = Lubrication(32e-6, 5.4e-6, 50.0)
     films = Scene(mfw2310(), conditions(films=oil), np.array([SPEED]))
