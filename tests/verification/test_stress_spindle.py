@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -114,8 +115,9 @@ def test_past_unloading_the_state_goes_on() -> None:
         assert (np.abs(plain.tangents - faint.tangents) <= 1e-6 * scale).all()
         assert np.isfinite(system_of(plain).modes.pole).all()
         slack = [seat.name for seat, one in zip(mfw2310().seats, load[0], strict=True) if one == 0]
-        for name in slack:
-            assert any(f"bearing {name}: static loads unload it" in w for w in plain.warnings)
+        told = [w.split(": ")[0] for w in plain.warnings if ": static loads unload" in w]
+        names = [name for words in told for name in re.split(r"[ ,]+", words)]
+        assert {*slack} <= {*names}, plain.warnings
 
 
 def test_stops_that_only_a_large_force_needs() -> None:
