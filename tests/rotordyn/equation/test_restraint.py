@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rotordyn.equation.holding import has_redundant_supports, rigid_motion
+from rotordyn.equation.restraint import has_redundant_supports, rigid_motion
 from rotordyn.machine.support import LinearSupport
 from tests.oracles.rotors import STEPPED
 
