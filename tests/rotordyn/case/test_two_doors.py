@@ -30,10 +30,10 @@ LISTS = {"sections", "bearings", "supports", "sleeves", "masses", "discs", "join
 APART = [
     r"uncertain\.\w+\.",  # keys with dots in them
     r"measured_spindle\.responses|\.file=",  # a file that is read; responses are named in Python
-    r"references\.\d+\.conditions\.",  # of a reference: any word in Python, so far
-    r"^(spindle|bearing)=None",  # none in Python, an empty key in a file
-    r"(bearing_override|_diameter|\.kind|contact_angle|radial_clearance)=(None|nonsense)",
-    r"(points|shift|second_stop|conditions)=\{",  # a further name, of which a rule speaks first
+    r"references\.\d+\.conditions\.\w+=nonsense",  # of a reference: any word in Python, so far
+    r"^spindle=None|\.bore_diameter=None",  # none in Python, an empty key in a file
+    r"(bearing_override|\.kind)=(None|nonsense)",
+    r"(points|shift|second_stop)=\{'odd'",  # a further name, of which a rule speaks first
 ]
 
 
