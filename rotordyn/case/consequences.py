@@ -70,37 +70,47 @@ def with_class_force(
 
 
 def with_model(old: BearingSeat, changes: Sequence[Change]) -> tuple[dict[str, Any], list[Change]]:
-    """What else another model gives to a bearing: values of fields, and the sizes of its rings to
-    what is new within the bearing, or had those of the model before."""
-    hidden: dict[str, Any] = {}
-    sized, listed = [], [*changes]
+    """What another model gives to a bearing beside itself: values of fields without keys, and
+    ``changes`` with the sizes of its rings."""
+    beside: dict[str, Any] = {}
+    listed = [*changes]
     for k, change in enumerate(changes):
         if change.steps[:1] == ("model",) and change.steps[1:] in OF_RING_AND_MAKER:
-            hidden |= _of_seat(change, hidden.get("sizes", old.sizes))
+            beside |= _of_seat(change, beside.get("sizes", old.sizes))
         if change.steps != ("model",) or change.value == old.bearing:
             continue
         if isinstance(change.value, BallBearing):
-            hidden |= {"model": "", "preloads": ()}
-        else:
+            beside |= {"model": "", "preloads": ()}
+        else:  # read as in a file, for what the file of the model has besides
             content = {"name": old.name, "x": 0.0, "thrust": old.thrust}
             content |= {"model": change.value, "model_override": old.override}
             whole = change.path.removesuffix(".model")
             read = taken(BearingSeat, replace(change, value=content, path=whole))
-            hidden |= {name: getattr(read, name) for name in ("model", "preloads", "sizes")}
+            beside |= {name: getattr(read, name) for name in ("model", "preloads", "sizes")}
             listed[k] = replace(change, value=read.bearing)
-    sizes = hidden.get("sizes", old.sizes)
+    return beside, _with_sizes(old, beside.get("sizes", old.sizes), listed)
+
+
+def _with_sizes(
+    old: BearingSeat, sizes: Mapping[str, float], changes: list[Change]
+) -> list[Change]:
+    """``changes`` with the ``sizes`` of the rings for what is new in the bearing (fits, growth,
+    flexible rings), and for what had those of the model before."""
+    added, listed = list[Change](), changes
     for fills in (common.fills for common in COMMON[BearingSeat] if common.fills[-1] in sizes):
         size, before = sizes[fills[-1]], old.sizes.get(fills[-1])
         within = [each for each in listed if each.steps[: len(fills) - 1] == fills[:-1]]
         if within or size != before:
             held = [value for _, value, _ in reached(old, fills)]
             if (within and not held) or (size != before and held == [before]):
-                sized.append(Change(size, (within or listed)[0].path, fills))
-        for k, each in enumerate(listed):
-            if isinstance(each.value, Mapping) and fills[: len(each.steps)] == each.steps:
-                value = _sized(each.value, fills[len(each.steps) :], size)
-                listed[k] = replace(each, value=value)
-    return hidden, [*sized, *listed]
+                added.append(Change(size, (within or listed)[0].path, fills))
+        listed = [
+            replace(each, value=_sized(each.value, fills[len(each.steps) :], size))
+            if isinstance(each.value, Mapping) and fills[: len(each.steps)] == each.steps
+            else each
+            for each in listed
+        ]
+    return [*added, *listed]
 
 
 def _of_seat(change: Change, sizes: Mapping[str, float]) -> dict[str, Any]:

@@ -152,9 +152,9 @@ def _fields(old: Any, changes: Sequence[Change]) -> Any:
     fields = {field.name: field for field in declared(old.__class__)}
     if isinstance(old, Case):
         changes = _with_tool(old, fields["tool"], changes)
-    hidden: dict[str, Any] = {}
+    beside: dict[str, Any] = {}
     if isinstance(old, BearingSeat):
-        hidden, changes = with_model(old, changes)
+        beside, changes = with_model(old, changes)
     ways = [
         way for each in changes for field in spelled(old, each) for way in of_each_item(old, field)
     ]
@@ -168,7 +168,7 @@ def _fields(old: Any, changes: Sequence[Change]) -> Any:
             seats = _value(annotations["seats"], old.seats, inner)
         if listed := with_class_force(old, seats, groups.get("arrangement", []), inner):
             groups["arrangement"] = listed
-    new = hidden | {
+    new = beside | {
         name: _value(annotations[name], getattr(old, name), group) for name, group in groups.items()
     }
     if isinstance(arrangement := new.get("arrangement"), BearingSet):
