@@ -26,7 +26,7 @@ import rotordyn
 from benchmarks.kept import keep
 from benchmarks.processes import ROOT
 from rotordyn.case.case import Case
-from rotordyn.case.varied import found_at
+from rotordyn.case.paths import found_at
 from rotordyn.numerics.threads import processors
 
 SPEEDS = np.linspace(0.0, 24000.0, 13) * math.pi / 30.0

@@ -8,10 +8,10 @@ from typing import Any
 from rotordyn.analyses.registry import analysis
 from rotordyn.machine.plausibility import undamped
 from rotordyn.machine.spindle import Spindle
-from rotordyn.results.gravity import Gravity, of_gravity
+from rotordyn.results.severity import Severity, of_severity
 
 
-@of_gravity(Gravity.INVALID)
+@of_severity(Severity.INVALID)
 def unlimited(spindle: Spindle, analyses: Mapping[str, Any]) -> Iterator[str]:
     """A sentence where ``analyses`` ask for steady forced responses without any damping."""
     records = [(analysis(name), spec) for name, spec in analyses.items()]

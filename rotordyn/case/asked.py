@@ -9,10 +9,10 @@ from math import prod
 from typing import Any
 
 from rotordyn.case.case import Case
+from rotordyn.case.paths import found_at, places
 from rotordyn.case.tolerance import Tolerance, tolerance
 from rotordyn.case.uncertain import ALL, Uncertain
 from rotordyn.case.usual import HYPOTHESES, ground_plays, usual_of
-from rotordyn.case.varied import found_at, places
 from rotordyn.case.vary import vary
 from rotordyn.description import Faults, unchecked
 from rotordyn.errors import InvalidInput

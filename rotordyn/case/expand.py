@@ -14,9 +14,9 @@ from rotordyn.case.keys import COMMON, MODELS, bearing_class, keys_of, kinds_wit
 from rotordyn.case.library import find
 from rotordyn.case.node import UNKNOWN, Node, merged
 from rotordyn.case.override import apply
+from rotordyn.case.paths import within_tool
 from rotordyn.case.reading import spread
 from rotordyn.case.table import tabled
-from rotordyn.case.varied import within_tool
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.flexible_rings import SIZES
 from rotordyn.machine.shaft import Shaft

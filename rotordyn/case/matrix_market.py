@@ -13,7 +13,7 @@ _SIGNS = {"general": 0, "symmetric": 1, "skew-symmetric": -1}  # of entries acro
 
 
 class MarketFile:
-    """The matrix of real numbers in a file; ValueError or IndexError if there is none.
+    """The matrix of real numbers in a file; ValueError or LookupError if there is none.
 
     ``shape`` and the number of ``entries`` in the file are known before the matrix is built.
     """

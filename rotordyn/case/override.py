@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import UNKNOWN, Node
-from rotordyn.case.varied import OF_RANGE, called_at, no_such, of_range, too_far
+from rotordyn.case.paths import OF_RANGE, item_in_path, no_such, of_range, too_far
 
 Open = Callable[[str, Node], Node]  # the value of a key; the model if it may be named there
 
@@ -71,7 +71,7 @@ def _put_everywhere(
 
 def _place(value: Node, steps: list[str], target: Node, faults: Faults) -> int | None:
     """Index of a list item by its name, or by its number from 1 if items have none."""
-    step, names = steps[0], [called_at(k, item) for k, item in enumerate(target.value, start=1)]
+    step, names = steps[0], [item_in_path(k, item) for k, item in enumerate(target.value, start=1)]
     if step in names:
         return names.index(step)
     what, way = "name" if any(item.name for item in target.value) else "number", _way(value, steps)

@@ -133,7 +133,7 @@ def from_market(raw: Mapping[str, bytes], places: Sequence[str]) -> Held:
                     f"to {MOST} coordinates; reduce it further"
                 )
             matrices[name] = file.matrix()
-        except (ValueError, IndexError, KeyError, OverflowError):
+        except (ValueError, LookupError):
             raise NoModel(f"{name} is not a Matrix Market file of real numbers") from None
     return from_matrices(list(places), matrices)
 

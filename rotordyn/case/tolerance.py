@@ -14,7 +14,7 @@ from typing import Any
 
 from rotordyn import units
 from rotordyn.case.case import Case
-from rotordyn.case.varied import places
+from rotordyn.case.paths import places
 from rotordyn.case.vary import vary
 from rotordyn.description import quantity_of
 from rotordyn.errors import InvalidInput

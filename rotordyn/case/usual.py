@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 from bearings import BallBearing
 from rotordyn.case.case import Case
-from rotordyn.case.varied import places
+from rotordyn.case.paths import places
 
 THESIS = "D. Noël, doctoral thesis, 2013, III.1.3.3"
 ASSUMED = "assumption"

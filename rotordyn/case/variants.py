@@ -10,8 +10,8 @@ from rotordyn.case.faults import Faults
 from rotordyn.case.keys import COMMON, bearing_class, kinds_with
 from rotordyn.case.node import Node, merged, overlaid
 from rotordyn.case.override import apply
+from rotordyn.case.paths import IN_FILES, from_top, no_root, order_of
 from rotordyn.case.reading import spread
-from rotordyn.case.varied import IN_FILES, from_top, no_root, turn_of
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.tool import Tool
 
@@ -47,8 +47,9 @@ def from_the_top(root: Node, faults: Faults) -> Node:
     tree = root.copy()
     for holder in (tree, *tree.entries("compare").values()):
         override = holder.entries("override")
-        for path in sorted(override, key=turn_of):
-            value, whole = override.pop(path), from_top(path, "spindle" in root.value, IN_FILES)
+        from_case = {path: from_top(path, "spindle" in root.value, IN_FILES) for path in override}
+        for path, whole in sorted(from_case.items(), key=lambda each: order_of(each[1].split("."))):
+            value = override.pop(path)
             if whole != path and (why := _no_root(path.partition(".")[0], root)):
                 faults.at_key(value, why)
                 continue

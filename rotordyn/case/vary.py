@@ -13,49 +13,41 @@ from bearings.bearing import BallBearing
 from bearings.errors import InvalidBearing
 from rotordyn.analyses.registry import analysis, names
 from rotordyn.case.case import ByName, Case
-from rotordyn.case.change import Change, taken, way_to, ways_of
+from rotordyn.case.consequences import (
+    also_of_tool,
+    following,
+    with_class_force,
+    with_model,
+    with_ring_sizes,
+)
 from rotordyn.case.deeper import deeper
 from rotordyn.case.keys import keys_of
-from rotordyn.case.spelled import (
-    in_the_nose,
-    of_class,
-    of_items,
-    of_model,
-    spelled,
-    unknown_in,
-    with_sizes,
-)
-from rotordyn.case.varied import (
+from rotordyn.case.paths import (
     OF_RANGE,
+    Change,
     Steps,
-    called,
-    called_items,
     from_top,
+    items_in_path,
+    key_in_path,
     no_root,
     no_such,
     of_range,
+    order_of,
+    taken,
     too_far,
-    turn_of,
+    ways_of,
 )
+from rotordyn.case.spelled import of_each_item, spelled, unknown_in
 from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
-from rotordyn.field import (
-    REQUIRED,
-    Field,
-    declared,
-    found_in,
-    kinds_of,
-    parts_of,
-    shown,
-)
-from rotordyn.machine.bearing_set import BearingSet, SetPreload
+from rotordyn.field import REQUIRED, Field, declared, found_in, kinds_of, parts_of, shown
+from rotordyn.machine.bearing_set import BearingSet
 from rotordyn.machine.matrix import Matrix
 from rotordyn.machine.reference import Reference, values_of
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.tool import Tool
 from rotordyn.quantity import Choice, suggestion
-from rotordyn.scene.conditions import HYPOTHESES, Conditions
 
 D = TypeVar("D")
 K = TypeVar("K")
@@ -96,45 +88,38 @@ def changed(description: D, changes: Mapping[str, object]) -> D:
         raise InvalidInput(f"vary takes a description, such as a Case: given {shown(description)}")
     if not isinstance(changes, Mapping):
         raise InvalidInput(f"changes map a dotted path to a value: given {shown(changes)}")
-    listed = [_change(path, value) for path, value in changes.items()]
-    if isinstance(description, Case):
-        listed = [_from_top(description, each) for each in listed]
-        last = {each.steps: each for each in listed}
-        for change in listed:
-            if last[change.steps] is not change:
-                room = change.steps[0]
-                raise change.refused(f"given twice, with and without '{room}.' before it")
-    listed.sort(key=lambda each: turn_of(".".join(each.steps)))
-    if isinstance(description, Case):
-        listed = [*_of_variants(description, listed), *listed]
+    case = description if isinstance(description, Case) else None
+    listed = [_change(case, path, value) for path, value in changes.items()]
+    last = {each.steps: each for each in listed}
+    for change in listed:
+        if last[change.steps] is not change:
+            room = change.steps[0]
+            raise change.refused(f"given twice, with and without '{room}.' before it")
+    listed.sort(key=lambda each: order_of(each.steps))
+    if case is not None and case.variants:
+        listed = [*_of_variants(listed), *listed]
     return _fields(description, listed)
 
 
-def _of_variants(case: Case, changes: Sequence[Change]) -> list[Change]:
-    """Repeat the changes for every variant of ``case``."""
-    if not case.variants:
-        return []
+def _of_variants(changes: Sequence[Change]) -> list[Change]:
+    """Repeat the changes of a case for every variant."""
     inner = [change for change in changes if change.steps[0] not in ("variants", "name", "title")]
     return [replace(change, steps=("variants", "*", *change.steps)) for change in inner]
 
 
-def _change(path: object, value: object) -> Change:
+def _change(case: Case | None, path: object, value: object) -> Change:
+    """Check the form of a path; complete one that begins within the machine of a case."""
     if not isinstance(path, str) or not all(path.split(".")) or not path.isprintable():
         raise InvalidInput(f"not a dotted path: given {shown(path)}; such as 'conditions.rotor'")
     if len(path) > LONGEST:
         raise InvalidInput(f"{path[:40]}...: a path longer than {LONGEST} characters")
-    return Change(value, path, tuple(path.split(".")))
-
-
-def _from_top(case: Case, change: Change) -> Change:
-    """Complete a path that begins within the machine of ``case``."""
-    path = from_top(change.path, spindle=case.bearing is None)
-    if path == change.path:
-        return change
-    machine: Any = Spindle if case.bearing is None else type(case.bearing)
-    if why := no_root(change.steps[0], machine):
-        raise change.refused(why)
-    return replace(change, steps=(*path.split("."),))
+    whole = path if case is None else from_top(path, spindle=case.bearing is None)
+    change = Change(value, path, tuple(whole.split(".")))
+    if case is not None and whole != path:
+        machine: Any = Spindle if case.bearing is None else type(case.bearing)
+        if why := no_root(change.steps[1], machine):
+            raise change.refused(why)
+    return change
 
 
 def _signed(case: Any) -> Any:
@@ -147,68 +132,55 @@ def _value(annotation: Any, old: Any, changes: Sequence[Change]) -> Any:
     """Apply ``changes`` to ``old`` in their order."""
     for index, change in enumerate(changes):
         if not change.steps:
-            whole = taken(annotation, with_sizes(old, change))
+            whole = taken(annotation, with_ring_sizes(old, change))
             return _value(annotation, whole, changes[index + 1 :])
     if not changes:
         return old
     kinds = kinds_of(annotation) if old is None else []
     if kinds and kinds[0] not in WHOLE:
-        return _begun(kinds, changes)
+        return _created(kinds, changes)
     if is_dataclass(old):
         return _fields(old, changes)
     if isinstance(old, Mapping):
         return _entries(annotation, old, changes)
     if isinstance(old, tuple) and old:
         return _items(annotation, old, changes)
-    raise changes[0].refused(too_far(way_to(changes[0])))
+    raise changes[0].refused(too_far(changes[0].way))
 
 
 def _fields(old: Any, changes: Sequence[Change]) -> Any:
     fields = {field.name: field for field in declared(old.__class__)}
     if isinstance(old, Case):
-        changes = _clamped(old, fields["tool"], changes)
-    hidden: dict[str, Any] = {}
+        changes = _with_tool(old, fields["tool"], changes)
+    beside: dict[str, Any] = {}
     if isinstance(old, BearingSeat):
-        hidden, changes = of_model(old, changes)
-    ways = [way for each in changes for field in spelled(old, each) for way in of_items(old, field)]
+        beside, changes = with_model(old, changes)
+    ways = [
+        way for each in changes for field in spelled(old, each) for way in of_each_item(old, field)
+    ]
     groups = _by_field(old.__class__, ways)
     annotations = {name: field.annotation for name, field in fields.items()}
     if isinstance(old, Reference):
         annotations["values"] = values_of(old.quantity)
-    if isinstance(old, Spindle):
+    if isinstance(old, Spindle) and (old.arrangement or "arrangement" in groups):
         inner = groups.get("seats", [])
         with unchecked():
             seats = _value(annotations["seats"], old.seats, inner)
-        if listed := of_class(old, seats, groups.get("arrangement", []), inner):
+        if listed := with_class_force(old, seats, groups.get("arrangement", []), inner):
             groups["arrangement"] = listed
-    new = hidden | {
+    new = beside | {
         name: _value(annotations[name], getattr(old, name), group) for name, group in groups.items()
     }
     if isinstance(arrangement := new.get("arrangement"), BearingSet):
         turned = arrangement.turned(old.seats)
         new["seats"] = _value(annotations["seats"], turned, groups.setdefault("seats", []))
-    new |= _following(old, new)
-    made = _made(partial(replace, old), new, changes)
+    new |= following(old, new)
+    made = _made(partial(replace, old, **new), changes)
     for name in groups:
         result = getattr(made, name)
         if result is not new[name] and result != new[name]:
             _require_kept(annotations[name], result, groups[name])
     return made
-
-
-def _following(old: Any, new: Mapping[str, Any]) -> dict[str, Any]:
-    """Values of fields that follow from those of other fields, as in files."""
-    if isinstance(old, Conditions):
-        return {"stated": (*old.stated, *(key for key in HYPOTHESES if key in new))}
-    if isinstance(old, SetPreload) and "class_force" in new and "maker_class" not in new:
-        return {"maker_class": None}
-    if isinstance(old, Reference) and len(speeds := new.get("speeds", ())) == 1:
-        return {"speeds": speeds * len(new.get("values", old.values))}
-    if isinstance(old, Case) and "spindle" in new and "references" not in new:
-        before, after = (of.references if of else () for of in (old.spindle, new["spindle"]))
-        kept = (each for each in old.references if each not in before)
-        return {} if before == after else {"references": (*after, *kept)}
-    return {}
 
 
 def _require_kept(annotation: Any, result: Any, changes: Sequence[Change]) -> None:
@@ -222,15 +194,16 @@ def _require_kept(annotation: Any, result: Any, changes: Sequence[Change]) -> No
     )
 
 
-def _made(kind: Callable[..., Any], values: Mapping[str, Any], changes: Sequence[Change]) -> Any:
+def _made(make: Callable[[], Any], changes: Sequence[Change]) -> Any:
+    """Make a description; contradictions are those of the ``changes``."""
     try:
-        return kind(**values)
+        return make()
     except (InvalidInput, InvalidBearing) as error:
         paths = dict.fromkeys(change.path for change in changes)
         raise InvalidInput(f"{', '.join(paths)}: {error}") from None
 
 
-def _begun(kinds: Sequence[type], changes: Sequence[Change]) -> Any:
+def _created(kinds: Sequence[type], changes: Sequence[Change]) -> Any:
     """Create an absent value: the kind whose keys match best, other fields at their defaults."""
     keys = {change.steps[0] for change in changes}
     kind = max(kinds, key=lambda each: len(keys & {key for key, *_ in ways_of(each)}))
@@ -246,9 +219,9 @@ def _begun(kinds: Sequence[type], changes: Sequence[Change]) -> Any:
     return _fields(usual, changes)
 
 
-def _clamped(case: Case, field: Field, changes: Sequence[Change]) -> Sequence[Change]:
+def _with_tool(case: Case, field: Field, changes: Sequence[Change]) -> Sequence[Change]:
     """Put the change of the spindle that follows from another tool before changes within it."""
-    changes = [inner for change in changes for inner in in_the_nose(case, change)]
+    changes = [inner for change in changes for inner in also_of_tool(case, change)]
     of_tool = [change for change in changes if change.steps[0] == "tool"]
     whole = [change for change in changes if change.steps == ("spindle",)]
     if whole:  # a spindle given as a whole already contains its tool
@@ -265,8 +238,8 @@ def _clamped(case: Case, field: Field, changes: Sequence[Change]) -> Sequence[Ch
     new = _value(field.annotation, tool, [c.inside(1) for c in of_tool])
     further = any(change.steps[0] == "spindle" for change in rest)
     with unchecked() if further else nullcontext():  # checked with what else changes
-        bare = _made(lambda: spindle.without_tool(tool) if tool else spindle, {}, of_tool)
-        spindle = _made(lambda: bare.with_tool(new) if new else bare, {}, of_tool)
+        bare = _made(lambda: spindle.without_tool(tool) if tool else spindle, of_tool)
+        spindle = _made(lambda: bare.with_tool(new) if new else bare, of_tool)
     first = {"tool": new, "spindle": spindle}
     return [*(replace(of_tool[0], value=v, steps=(key,)) for key, v in first.items()), *rest]
 
@@ -291,10 +264,10 @@ def _no_field(kind: type, change: Change) -> None:
 
 
 def _items(annotation: Any, old: tuple[Any, ...], changes: Sequence[Change]) -> tuple[Any, ...]:
-    ways = {(name,): k for k, name in enumerate(called_items(annotation, old), start=1)}
+    ways = {(name,): k for k, name in enumerate(items_in_path(annotation, old), start=1)}
     what = "name" if hasattr(old[0], "name") else "number"
     if what == "number" and changes and changes[0].steps[0] in OF_RANGE:
-        raise changes[0].refused(of_range(way_to(changes[0])))
+        raise changes[0].refused(of_range(changes[0].way))
     refuse = partial(_require_known, known=[way[0] for way in ways], what=what)
     groups = _grouped(changes, ways, refuse, ways)
     member = parts_of(annotation, tuple)[0]
@@ -302,39 +275,37 @@ def _items(annotation: Any, old: tuple[Any, ...], changes: Sequence[Change]) -> 
 
 
 def _entries(annotation: Any, old: Mapping[Any, Any], changes: Sequence[Change]) -> dict[Any, Any]:
+    by_name, matrix = found_in(annotation, ByName), found_in(annotation, Matrix)
     key, member = parts_of(annotation, Mapping)
-    closed = names() if found_in(annotation, ByName) else _closed(key)
-    ways = {(called(name),): name for name in [*old, *closed]}
+    closed = names() if by_name else _all_keys(key)
+    ways = {(key_in_path(name),): name for name in [*old, *closed]}
     known = [way[0] for way in ways]
     if not closed and member is not Case:  # names of one's own, such as a further point
         steps = (change.steps[0] for change in changes)
         ways |= {(step,): step for step in steps if step != "*" and not suggestion(step, known)}
     refuse = partial(_require_known, known=known, what="key")
-    if found_in(annotation, ByName):  # nothing stands for the defaults, as in files
-        changes = [
-            replace(c, value={}) if c.value is None and not c.steps[1:] else c for c in changes
-        ]
-    groups = _grouped(changes, ways, refuse, [(called(name),) for name in old])
-    matrix, new = found_in(annotation, Matrix), {}
-    left_out: list[Any] = []
-    for name, group in groups.items():
+    groups = _grouped(changes, ways, refuse, [(key_in_path(name),) for name in old])
+    new, removed = dict[Any, Any](), list[Any]()
+    for name, given in groups.items():
+        group, last = given, given[-1]
         if matrix is not None:
-            one = Annotated[float, matrix.quantity(*name)]
-            listed = isinstance(group[-1].value, list | tuple) or group[-1].steps
-            member = one | tuple[one, ...] if listed else one
-            if (group[-1].steps, group[-1].value) == ((), None):  # as if left out, as in files
-                left_out.append(name)
+            if last.removes:  # as if left out, as in files
+                removed.append(name)
                 continue
-        if found_in(annotation, ByName):
+            one = Annotated[float, matrix.quantity(*name)]
+            several = last.steps or isinstance(last.value, list | tuple)
+            member = one | tuple[one, ...] if several else one
+        elif by_name:  # nothing stands for the defaults, as in files
             member = analysis(name).spec
+            group = [replace(each, value={}) if each.removes else each for each in given]
         new[name] = _value(member, old.get(name), group)
-    return {name: each for name, each in {**old, **new}.items() if name not in left_out}
+    return {name: each for name, each in {**old, **new}.items() if name not in removed}
 
 
-def _closed(key: Any) -> list[object]:
+def _all_keys(key: Any) -> list[object]:
     """All keys that a mapping may have, if its declaration lists them."""
     if get_origin(key) is tuple:
-        first, second = (_closed(part) for part in get_args(key))
+        first, second = (_all_keys(part) for part in get_args(key))
         return [(row, column) for row in first for column in second]
     choice = found_in(key, Choice)
     return [] if choice is None else list(choice.allowed)
@@ -363,9 +334,8 @@ def _grouped(
     return groups
 
 
-def _require_known(change: Change, known: Iterable[str], what: str, inner: str = "") -> None:
-    """Raise if the next step of a path is not ``known``; ``inner``: path on which it is."""
-    step, names = change.steps[0], [*known]
-    if step not in names:
-        where = f" in '{way}'" if (way := way_to(change)) else ""
-        raise change.refused(no_such(step, names, what, where, inner))
+def _require_known(change: Change, known: Iterable[str], what: str) -> None:
+    """Raise if the next step of a path is not ``known``."""
+    if (step := change.steps[0]) not in (names := [*known]):
+        where = f" in '{change.way}'" if change.way else ""
+        raise change.refused(no_such(step, names, what, where))

@@ -13,7 +13,7 @@ import yaml
 
 from rotordyn.case.case import Case
 from rotordyn.case.expand import opened
-from rotordyn.case.varied import IN_FILES, from_top
+from rotordyn.case.paths import IN_FILES, from_top
 from rotordyn.errors import InvalidInput
 
 COMPARED = ("compare", "tools")

@@ -257,16 +257,16 @@ class FreeMotions:
             return free_motions(linear, self.lossy.ceiling)
         return FreeMotions(linear, self.modes if self.solved_once else self.modes.at(rows))
 
-    def answering(self, order: float, side: float = 1.0) -> FreeMotions:
+    def at_order(self, order: float, side: float = 1.0) -> FreeMotions:
         """Return the motions of the linear system whose losses are those of motions at ``order``
         times the spin, of a whirl to one ``side`` where planes are one."""
         if self.lossy is None:
             return self
         order = side * order if self.whirling else order
         signs = signs_at(order, whirling=self.whirling)
-        return replace(self, modes=self.lossy.answering(signs))
+        return replace(self, modes=self.lossy.with_signs(signs))
 
-    def turned(self, force: Complex, rows: Sequence[Array]) -> tuple[Complex, list[Matrix]]:
+    def in_modes(self, force: Complex, rows: Sequence[Array]) -> tuple[Complex, list[Matrix]]:
         """Return a ``force`` (n,) that rotates forward, and output ``rows`` (…, n), in the
         coordinates of ``modes``."""
         load = along(force, self.linear.basis)
@@ -277,7 +277,7 @@ class FreeMotions:
         return load[:half], [values[..., :half] - 1j * values[..., half:] for values in within]
 
 
-def answering_stiffness(linear: Linear, signs: Signs) -> NDArray[np.inexact]:
+def stiffness_with_signs(linear: Linear, signs: Signs) -> NDArray[np.inexact]:
     """Return the stiffness (s, m, m) within the motions that rigid supports allow, for some signs
     of loss."""
     if linear.loss is None:
@@ -311,7 +311,7 @@ def free_motions(linear: Linear, ceiling: float = math.inf) -> FreeMotions:
     return FreeMotions(linear, lossy.free_motions(), lossy)
 
 
-def responding(linear: Linear) -> FreeMotions | None:
+def without_poles(linear: Linear) -> FreeMotions | None:
     """Return motions without poles, for receptances at a few frequencies alone; None with loss
     factors, and where planes are one.
 

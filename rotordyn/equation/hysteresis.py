@@ -102,7 +102,7 @@ class Hysteretic:
         self._plain = plain or modes(stiffness, damping)
         self._solved: dict[Signs, Modes] = {}
 
-    def answering(self, signs: Signs) -> Modes:
+    def with_signs(self, signs: Signs) -> Modes:
         """Return the modes of the linear system for motions of some signs."""
         if signs not in self._solved:
             added, solved = self.loss.stiffness(signs), self._plain
@@ -157,8 +157,8 @@ class Hysteretic:
             if not converged.all():
                 return False
             signs[close, 0] = self._signs(at[None, close], spin)[0][:, 0]
-        answering = self._stiffness_for(row, signs)
-        at, vector, converged = corrected(answering, self.damping[row], at, vector)
+        stiffness = self._stiffness_for(row, signs)
+        at, vector, converged = corrected(stiffness, self.damping[row], at, vector)
         if not converged.all():
             return False
         straight = (before.imag == 0.0) & (not self.whirling)
@@ -168,7 +168,7 @@ class Hysteretic:
         equal = np.abs(at[:, None] - at) <= MET * np.abs(at)
         if not same.all() or equal.sum() > len(at):
             return False
-        left = participation(answering, self.damping[row], at, vector)
+        left = participation(stiffness, self.damping[row], at, vector)
         pairs = np.flatnonzero(~(straight | self.whirling))
         conjugates = np.abs(solved.pole[row] - before[pairs, None].conj()).argmin(axis=1)
         columns = np.append(column, conjugates)
@@ -205,7 +205,7 @@ class Hysteretic:
         signs = signs_of(omega.real, self.spin[:, None], whirling=self.whirling)
         total = np.empty((len(self.spin), len(responses), omega.shape[-1]), dtype=complex)
         for key, at in gathered(signs):
-            motions = self.answering(key)
+            motions = self.with_signs(key)
             for row in np.flatnonzero(at.any(axis=1)).tolist():
                 places, system = at[row], motions.at(np.array([row]))
                 total[row][:, places] = system.receptance(
@@ -239,7 +239,7 @@ class Hysteretic:
             rows = np.flatnonzero(taken.any(axis=-1))
             before, column = plain, np.tile(np.arange(taken.shape[1]), (len(taken), 1))
             for start in range(0, len(key) - 1, 3):
-                after = self.answering(Signs(*key[start : start + 3]))
+                after = self.with_signs(Signs(*key[start : start + 3]))
                 after = conjugate(after) if key[-1] else after
                 column = np.take_along_axis(continued(before, after, rows), column, axis=-1)
                 before = after

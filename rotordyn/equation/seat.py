@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from rotordyn.arrays import Array, Indices
 from rotordyn.equation.dofs import position
-from rotordyn.equation.term import Joined, LinkMatrices
+from rotordyn.equation.term import LinkLaw, LinkMatrices
 from rotordyn.machine.seat import BearingSeat
 
 BEARING_DIRECTIONS = ("x", "y", "z", "thy", "thz")
@@ -21,10 +21,10 @@ _PLACES = np.array([position(name) for name in BEARING_DIRECTIONS])
 NOISE = 1e-12  # of the direct stiffness of two directions: less coupling is rounding
 
 
-def seat_joined(seat: BearingSeat, place: int) -> Joined:
+def seat_law(seat: BearingSeat, place: int) -> LinkLaw:
     """Return tangent (s, 6, 6) in the spindle's frame of bearing number ``place``, and dampers."""
     damping = np.diag([seat.axial_damping, *[seat.radial_damping] * 2, 0.0, 0.0, 0.0])
-    return Joined(
+    return LinkLaw(
         lambda state: LinkMatrices(state.tangents[:, place], damping[None]), BEARING_DIRECTIONS
     )
 

@@ -49,16 +49,16 @@ def section_forces(x: Array, point: Array, line: Array) -> SectionForces:
 
 
 def on_deformed(
-    forces: SectionForces, axial: Array, bent: Array, pulled: Array, length: Array
+    forces: SectionForces, axial: Array, bent: Array, bar_force: Array, length: Array
 ) -> SectionForces:
     """Return section ``forces`` of the straight shaft as those of the bent one: the axial force N
     acts with its displacement as lever arm, dMz/dx = −(Ty − N v′) and dMy/dx = Tz − N w′.
 
     ``axial`` N (…, elements) [N], tension positive; ``bent`` (…, elements, 2): displacement along y
-    and z of rear ends from front ends; ``pulled`` (…, elements, 2): forces along y and z of a
+    and z of rear ends from front ends; ``bar_force`` (…, elements, 2): forces along y and z of a
     drawbar that runs straight inside the shaft; ``length`` (elements,) [m].
     """
-    y, z = np.moveaxis(axial[..., None] * bent + pulled * length[:, None], -1, 0)
+    y, z = np.moveaxis(axial[..., None] * bent + bar_force * length[:, None], -1, 0)
     zero = np.zeros_like(y)
     couple = np.stack([zero, zero, zero, zero, z, -y], axis=-1)
     rear = _behind(couple)

@@ -15,7 +15,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import product
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -42,6 +42,14 @@ MOST_DOF = 200_000  # of a bending plane
 WAYS = {"radial": ("y", "z"), "tilt": ("thy", "thz"), "axial": ("x",), "torsion": ("thx",)}
 NAMES = {"x": ("x",), "thx": ("thx",), "y": ("y", "thz"), "z": ("z", "thy")}  # of each line
 PLANES = {"y": (("y", "thz"), np.array([1.0, 1.0])), "z": (("z", "thy"), np.array([1.0, -1.0]))}
+
+
+class Springs(NamedTuple):
+    """Springs over ``motions`` (e, d, k) of ``dofs`` (e, k), of ``stiffness`` (e, d, d)."""
+
+    dofs: Indices
+    motions: Array
+    stiffness: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -142,9 +150,9 @@ class Shaft:
         properties = (values[chosen] for values in section)
         return rod.rod_matrices(self.mesh.length[chosen], *properties, degree=degree)
 
-    def springs(self, way: str) -> Iterator[tuple[Indices, Array, Array]]:
-        """Yield elements of a line as springs between their ends: DOF (e, k), motions (e, d, k) of
-        the rear end and inner DOF with the front end held, and stiffness (e, d, d) over these."""
+    def springs(self, way: str) -> Iterator[Springs]:
+        """Yield elements of a line as springs over the motions of the rear end and inner DOF with
+        the front end held."""
         for n in np.unique(self._degree(way)).tolist():
             chosen = np.flatnonzero(self._degree(way) == n)
             if way in PLANES:
@@ -158,7 +166,7 @@ class Shaft:
                 motions[:, 0, 1] = -self.mesh.length[chosen]
             rows, moves = self.rows(way, chosen)
             motions = motions if moves is None else motions @ moves
-            yield rows, motions, stiffness[:, ends:, ends:]
+            yield Springs(rows, motions, stiffness[:, ends:, ends:])
 
     def rows(self, way: str, elements: Indices) -> tuple[Indices, Array | None]:
         """Return DOF (e, k) of elements of one degree, those of the ends first, of joints last; and

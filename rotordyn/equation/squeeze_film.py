@@ -14,7 +14,7 @@ from __future__ import annotations
 import numpy as np
 
 from rotordyn.equation.dofs import position
-from rotordyn.equation.term import Joined, LinkMatrices, State
+from rotordyn.equation.term import LinkLaw, LinkMatrices, State
 from rotordyn.machine.squeeze_film import SqueezeFilmDamper
 
 _RADIAL = np.diag(np.isin(np.arange(6), [position("y"), position("z")]).astype(float))
@@ -30,7 +30,7 @@ def film_coefficients(damper: SqueezeFilmDamper) -> tuple[float, float]:
     return 2.0 * size * eps / (1.0 - eps**2) ** 2, 0.5 * damping
 
 
-def film_joined(damper: SqueezeFilmDamper) -> Joined:
+def film_law(damper: SqueezeFilmDamper) -> LinkLaw:
     """Return stiffness (s, 6, 6) and damping (1, 6, 6); no film carries a static load."""
     stiffness, damping = film_coefficients(damper)
 
@@ -38,4 +38,4 @@ def film_joined(damper: SqueezeFilmDamper) -> Joined:
         whirl = state.whirl * np.abs(state.speed)[:, None, None] * (not state.standing)
         return LinkMatrices(stiffness * whirl * _RADIAL, damping * _RADIAL[None])
 
-    return Joined(matrices, ("y", "z"))
+    return LinkLaw(matrices, ("y", "z"))

@@ -1,10 +1,10 @@
 """The shaft at rest, K u = f of all terms, with the forces r of all springs among the unknowns:
 
-    G u − Mᵀ r = f,    r + S (M u + e) = 0,    or M u + e = 0 where rigid
+    K_N u − Mᵀ r = f,    r + S (M u + e) = 0,    or M u + e = 0 where rigid
 
 Springs are the links, the elements of the shaft, of which M u is the motion of the rear end with
 the front end held, and what holds other bodies; S is their stiffness, e an offset between both
-sides of a link, G the stiffness by the axial force: K = G + Mᵀ S M. So neither stiff nor short
+sides of a link, K_N the stiffness by the axial force: K = K_N + Mᵀ S M. So neither stiff nor short
 springs take digits of others, and forces that equilibrium alone determines are exact to rounding.
 Nodes of cylinders move as their exact solution; elements of cones are as fine as ``ACCURACY``
 requires, those under an axial force ``BENT`` degrees higher.
@@ -14,7 +14,8 @@ Theory: docs/theory/statics.md#equilibrium.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import math
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import NamedTuple
@@ -28,9 +29,9 @@ from rotordyn.equation.elements.polynomials import points
 from rotordyn.equation.fineness import Fineness
 from rotordyn.equation.joint import joint_parts
 from rotordyn.equation.mesh import Mesh
-from rotordyn.equation.shaft import NAMES, PLANES, Rows
+from rotordyn.equation.shaft import NAMES, PLANES, Rows, Springs
 from rotordyn.equation.structure import Structure
-from rotordyn.equation.term import State
+from rotordyn.equation.term import Link, State
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import SPINDLE
 from rotordyn.numerics.sparse import Matrix, summed
@@ -51,7 +52,7 @@ class Undetermined(Exception):
         self.row = row
 
 
-class Acting(NamedTuple):
+class LoadCase(NamedTuple):
     """Loads: on nodes ``point`` (states or 1, nodes, 6) [N, N·m], along elements ``line``
     (elements, 2, 3) [N/m], at both ends and linear in between; ``offset`` (connections, 6) of
     connections from the shaft [m, rad], as of an eccentric ring: each reacts to the sum of
@@ -64,69 +65,67 @@ class Acting(NamedTuple):
 
 @dataclass(frozen=True, eq=False, slots=True)
 class AtRest:
-    """``moved`` (states, nodes, 6): displacements of the shaft [m, rad], at a joint those of the
-    part in front; ``apart`` (states, elements, 6): additional displacement of the front end of an
-    element behind a joint; ``push`` (states, connections, 6): loads of connections on the shaft
-    [N, N·m]; ``strained`` (states, connections, 6): displacement of the shaft there against what
-    carries it; ``pulled`` (states, elements, 2): force along y and z of a drawbar inside the shaft.
+    """``displacement`` (states, nodes, 6) of the shaft [m, rad], at a joint that of the part in
+    front; ``jump`` (states, elements, 6): additional displacement of the front end of an element
+    behind a joint; ``push`` (states, connections, 6): loads of connections on the shaft [N, N·m];
+    ``strained`` (states, connections, 6): displacement of the shaft there against what carries it;
+    ``bar_force`` (states, elements, 2): along y and z, of a drawbar inside the shaft [N].
     """
 
-    moved: Array
-    apart: Array
+    displacement: Array
+    jump: Array
     push: Array
     strained: Array
-    pulled: Array
-
-
-class Springs(NamedTuple):
-    """Springs over ``motions`` (e, d, k) of ``dofs`` (e, k), of ``stiffness`` (e, d, d)."""
-
-    dofs: Indices
-    motions: Array
-    stiffness: Array
+    bar_force: Array
 
 
 class StaticEquation:
     """The equation of a spindle's shaft with nodes of a ``mesh``, on its connections.
 
-    ``front`` (k, 6): combinations of the displacements of the front end that are zero, those that
-    nothing holds. ``rigid``: the shaft does not deform; ``bent``: the axial force acts on bending,
-    and so does the tension of a drawbar.
+    ``free`` (k, 6): combinations of the displacements of the front end that nothing holds, set to
+    zero. ``rigid``: the shaft does not deform; ``axial`` (states, elements) [N]: force on bending,
+    tension positive, beside which the drawbar is a string; None where neither acts.
     """
 
     def __init__(
-        self, spindle: Spindle, mesh: Mesh, front: Array, *, rigid: bool, bent: bool
+        self,
+        spindle: Spindle,
+        mesh: Mesh,
+        free: Array,
+        *,
+        rigid: bool = False,
+        axial: Array | None = None,
     ) -> None:
-        fine = Fineness(0.0, accuracy=ACCURACY, finer=BENT if bent else 0)
+        fine = Fineness(0.0, accuracy=ACCURACY, finer=0 if axial is None else BENT)
         structure = Structure(spindle, mesh, fine, rigid=rigid)
         self.structure, self.mesh, self.shaft = structure, mesh, structure.shafts[SPINDLE]
         self.basis = _rigid_motions(structure) if rigid else None
-        self.bars = structure.drawbar if bent else []
+        self.bars = structure.drawbar if axial is not None else []
         self.links = [*structure.connections, *structure.sleeve_springs, *self.bars]
-        moving = [(link.dofs[None], link.motions[None]) for link in self.links]
-        springs = [] if rigid else [each for way in NAMES for each in self._elements(way)]
-        springs += _holding(structure)
-        moving += [each[:2] for each in springs]
-        numbers, end = [], 0  # of the motions of each
-        for dofs, motions in moving:
-            start, end = end, end + len(dofs) * motions.shape[1]
-            numbers.append(np.arange(start, end).reshape(len(dofs), -1))
-        self.at = [at[0] for at in numbers[: len(self.links)]]
-        of_springs = zip(numbers[len(self.links) :], springs, strict=True)
-        laws = [(at, at, each.stiffness) for at, each in of_springs]
-        self.stiffness = summed((end, end), laws, large=True)
-        rows = [(at, *each) for at, each in zip(numbers, moving, strict=True)]
-        self.motions = self._by_coordinates(end, rows)
-        self.rigid = np.zeros(end, dtype=bool)
-        for at, link in zip(self.at, self.links, strict=True):
+        springs = [_by_state(link) for link in self.links]
+        springs += [] if rigid else [each for way in NAMES for each in self.shaft.springs(way)]
+        springs += _other_springs(structure)
+        numbers, m = list[Indices](), 0  # of the motions of each
+        for each in springs:
+            shape = each.motions.shape[:2]
+            numbers.append(m + np.arange(math.prod(shape)).reshape(shape))
+            m += math.prod(shape)
+        numbered = [*zip(numbers, springs, strict=True)]
+        self.motions = self._by_coordinates(m, ((at, s.dofs, s.motions) for at, s in numbered))
+        self.stiffness = summed((m, m), ((at, at, s.stiffness) for at, s in numbered), large=True)
+        self.of_link = [at[0] for at in numbers[: len(self.links)]]
+        self.rigid = np.zeros(m, dtype=bool)
+        for at, link in zip(self.of_link, self.links, strict=True):
             self.rigid[at[list(link.rigid)]] = True
-        self.shown = self._displaced(mesh.x)
-        self.front = front @ self.shown[:6]
+        self.slopes = list[tuple[Matrix, Array]]()  # weighted, and the axial force (states,) there
+        if axial is not None:
+            for plane in PLANES:
+                rows, element = slope_rows(self.shaft, mesh, plane)
+                self.slopes.append((self._by_coordinates(len(element), rows), axial[:, element]))
+        self.at_nodes = self._displaced(mesh.x)
+        self.free = free @ self.at_nodes[:6]
 
-    def _elements(self, way: str) -> Iterator[Springs]:
-        return (Springs(*each) for each in self.shaft.springs(way))
-
-    def _by_coordinates(self, count: int, rows: Sequence[Rows]) -> Matrix:
+    def _by_coordinates(self, count: int, rows: Iterable[Rows]) -> Matrix:
         by_dofs = summed((count, self.structure.dofs.count), rows, large=True)
         return by_dofs if self.basis is None else by_dofs @ self.basis
 
@@ -135,9 +134,8 @@ class StaticEquation:
         rows = [row for way in NAMES for row in self.shaft.displaced(way, x)]
         return self._by_coordinates(6 * len(x), rows)
 
-    def solve(self, state: State, axial: Array | None, acting: Sequence[Acting]) -> list[AtRest]:
-        """Return the shaft under each of the loads ``acting`` at every state; ``axial`` (states,
-        elements) [N]: force on bending, tension positive.
+    def solve(self, state: State, cases: Sequence[LoadCase]) -> list[AtRest]:
+        """Return the shaft in each of the load ``cases`` at every state.
 
         Raises
         ------
@@ -145,38 +143,35 @@ class StaticEquation:
         """
         from scipy.sparse import block_array, csr_array, diags_array
 
-        (m, n), held, states = self.motions.shape, len(self.front), len(state.speed)
-        loads = np.stack([np.broadcast_to(self._load(a), (states, n)) for a in acting], axis=-1)
-        offset = np.zeros((m, len(acting)))
-        for k, each in enumerate(acting):
-            if each.offset is not None:
-                offset[: each.offset.size, k] = each.offset.ravel()
+        (m, n), k, states = self.motions.shape, len(self.free), len(state.speed)
+        loads = np.stack([np.broadcast_to(self._load(c), (states, n)) for c in cases], axis=-1)
+        offset = np.zeros((m, len(cases)))
+        for column, case in enumerate(cases):
+            if case.offset is not None:
+                offset[: case.offset.size, column] = case.offset.ravel()
         unit = self._unit()  # forces over it are of the size of displacements
-        slopes = self._slopes() if axial is not None else []
-        solution = np.zeros((states, n + m, len(acting)))
+        solution = np.zeros((states, n + m, len(cases)))
         for s, springs in enumerate(self._springs(state._replace(standing=True))):
-            of_force = csr_array((n, n))
-            for rows, element in slopes:
-                assert axial is not None
-                of_force = of_force + rows.T @ (diags_array(axial[s, element]) @ rows)
+            by_axial_force = csr_array((n, n))
+            for rows, force in self.slopes:
+                by_axial_force = by_axial_force + rows.T @ (diags_array(force[s]) @ rows)
             scale = unit / np.maximum(unit, abs(springs).max(axis=1).toarray().ravel())
-            laws = diags_array(np.where(self.rigid, unit, 0.0))
-            laws = laws + diags_array(np.where(self.rigid, 0.0, scale)) @ springs
-            inverse = np.where(self.rigid, 0.0, unit * scale)
+            scale[self.rigid] = 0.0
+            laws = diags_array(scale) @ springs + diags_array(unit * self.rigid)
             matrix = block_array(
                 [
-                    [of_force, -unit * self.motions.T, -unit * self.front.T],
-                    [laws @ self.motions, diags_array(inverse), None],
-                    [unit * self.front, None, csr_array((held, held))],
+                    [by_axial_force, -unit * self.motions.T, -unit * self.free.T],
+                    [laws @ self.motions, diags_array(unit * scale), None],
+                    [unit * self.free, None, csr_array((k, k))],
                 ]
             )
-            right = np.concatenate([loads[s], -laws @ offset, np.zeros((held, len(acting)))])
+            right = np.concatenate([loads[s], -laws @ offset, np.zeros((k, len(cases)))])
             solved = _solved(matrix.tocsc(), right, unit, n)
             if solved is None:
                 raise Undetermined(s)
             solution[s] = solved[: n + m]
-        moved, force = solution[:, :n], unit * solution[:, n:]
-        return [self._at_rest(moved[..., k], force[..., k]) for k in range(len(acting))]
+        u, r = solution[:, :n], unit * solution[:, n:]
+        return [self._at_rest(u[..., case], r[..., case]) for case in range(len(cases))]
 
     def _unit(self) -> float:
         """Return the stiffness of all elements in series: a larger one takes digits of soft ones,
@@ -184,19 +179,19 @@ class StaticEquation:
         diagonal = self.stiffness.diagonal()
         return float(1.0 / (1.0 / diagonal[diagonal > 0.0]).sum()) if diagonal.any() else 1.0
 
-    def _load(self, acting: Acting) -> Array:
+    def _load(self, case: LoadCase) -> Array:
         """Return forces on the coordinates (states or 1, n)."""
         mesh, (xi, weight) = self.mesh, points(GAUSS)
-        nodes = acting.point.reshape(len(acting.point), -1) @ self.shown
-        if not acting.line.any():
-            return np.asarray(nodes)
+        at_nodes = np.asarray(case.point.reshape(len(case.point), -1) @ self.at_nodes)
+        if not case.line.any():
+            return at_nodes
         half = mesh.length[:, None] / 2.0
-        front, rear = (acting.line[:, None, k] for k in (0, 1))
+        front, rear = (case.line[:, None, k] for k in (0, 1))
         force = np.zeros((len(half), len(xi), 6))
         force[..., :3] = front + (1.0 + xi[:, None]) / 2.0 * (rear - front)
         force *= (half * weight)[..., None]
         along = self._displaced((mesh.middle[:, None] + half * xi).ravel())
-        return np.asarray(nodes + force.ravel() @ along)
+        return np.asarray(at_nodes + force.ravel() @ along)
 
     def _springs(self, state: State) -> Iterator[Matrix]:
         """Yield the stiffness of all springs over their motions (m, m) at every state."""
@@ -204,35 +199,42 @@ class StaticEquation:
         for s in range(len(state.speed)):
             laws = [
                 (at[None], at[None], block[min(s, len(block) - 1)][None])
-                for at, block in zip(self.at, blocks, strict=True)
+                for at, block in zip(self.of_link, blocks, strict=True)
             ]
             yield self.stiffness + summed(self.stiffness.shape, laws, large=True)
 
-    def _slopes(self) -> list[tuple[Matrix, Indices]]:
-        """Return weighted slopes of both planes by the coordinates, and their elements."""
-        planes = (slope_rows(self.shaft, self.mesh, way) for way in PLANES)
-        return [(self._by_coordinates(len(element), rows), element) for rows, element in planes]
-
-    def _at_rest(self, moved: Array, force: Array) -> AtRest:
-        states, x = len(moved), self.mesh.x
-        nodes = (moved @ self.shown.T).reshape(states, len(x), 6)
-        apart = np.zeros((states, len(x) - 1, 6))
+    def _at_rest(self, u: Array, r: Array) -> AtRest:
+        """Return the shaft with coordinates ``u`` (states, n) and forces ``r`` (states, m)."""
+        states, elements = len(u), len(self.mesh.x) - 1
+        jump, bar_force = np.zeros((states, elements, 6)), np.zeros((states, elements, 2))
         for (node, name), dof in self.shaft.jump.items() if self.basis is None else ():
-            at = self.mesh.node_of(float(self.shaft.mesh.x[node]))
-            apart[:, at, position(name)] = self.structure.dofs.sign[dof] * moved[:, dof]
+            element = self.mesh.node_of(float(self.shaft.mesh.x[node]))
+            jump[:, element, position(name)] = self.structure.dofs.sign[dof] * u[:, dof]
+        bar = self.structure.spindle.drawbar
+        stations = pairwise(bar.contacts) if bar and self.bars else ()
+        for ends, at in zip(
+            stations, self.of_link[len(self.links) - len(self.bars) :], strict=True
+        ):
+            inside = slice(*map(self.mesh.node_of, ends))
+            bar_force[:, inside] = -r[:, None, at]
         connections = len(self.structure.connections)
-        push = force[:, : 6 * connections].reshape(states, connections, 6)
-        strained = (moved @ self.motions[: 6 * connections].T).reshape(states, connections, 6)
-        pulled = np.zeros((states, len(x) - 1, 2))
-        bar, last = self.structure.spindle.drawbar, self.at[len(self.at) - len(self.bars) :]
-        contacts = bar.contacts if bar and self.bars else ()
-        for ends, at in zip(pairwise(contacts), last, strict=True):
-            low, high = map(self.mesh.node_of, ends)
-            pulled[:, low:high] = -force[:, None, at]
-        return AtRest(nodes, apart, push, strained, pulled)
+        moved = u @ self.motions[: 6 * connections].T
+        return AtRest(
+            displacement=(u @ self.at_nodes.T).reshape(states, elements + 1, 6),
+            jump=jump,
+            push=r[:, : 6 * connections].reshape(states, connections, 6),
+            strained=moved.reshape(states, connections, 6),
+            bar_force=bar_force,
+        )
 
 
-def _holding(structure: Structure) -> Iterator[Springs]:
+def _by_state(link: Link) -> Springs:
+    """Return the motions of a link; its stiffness follows the state."""
+    k = len(link.motions)
+    return Springs(link.dofs[None], link.motions[None], np.zeros((1, k, k)))
+
+
+def _other_springs(structure: Structure) -> Iterator[Springs]:
     """Yield springs of joints, sleeves and housings."""
     terms = [housing.parts() for housing in structure.housings]
     terms += [joint_parts(structure.shafts[SPINDLE]), structure.sleeves.parts(structure.spindle)]
@@ -244,11 +246,11 @@ def _holding(structure: Structure) -> Iterator[Springs]:
 
 def _rigid_motions(structure: Structure) -> Matrix:
     """Return the motions of a rigid shaft, and of other bodies, by coordinates (DOF, n)."""
-    parts, end = [], 0
+    parts, n = [], 0
     for c in structure.components:
-        start, end = end, end + c.size
-        parts.append((c.dofs, np.arange(start, end), c.vectors))
-    return summed((structure.dofs.count, end), parts, large=True)
+        parts.append((c.dofs, n + np.arange(c.size), c.vectors))
+        n += c.size
+    return summed((structure.dofs.count, n), parts, large=True)
 
 
 def _solved(matrix: Matrix, right: Array, unit: float, n: int) -> Array | None:
@@ -265,11 +267,9 @@ def _solved(matrix: Matrix, right: Array, unit: float, n: int) -> Array | None:
     except RuntimeError:
         return None
     solution = factors.solve(right)
-    size = abs(matrix)
     for _ in range(REFINED):
-        residual = right - matrix @ solution
-        terms = size @ np.abs(solution) + np.abs(right)
-        solution += factors.solve(residual)
+        solution += factors.solve(right - matrix @ solution)
+    terms = abs(matrix) @ np.abs(solution) + np.abs(right)
     either_way = np.where(np.random.default_rng(1).random(len(right)) < 0.5, -1.0, 1.0)
     rounded = ROUNDING * terms + np.abs(right - matrix @ solution)
     error = np.abs(factors.solve(either_way[:, None] * rounded))

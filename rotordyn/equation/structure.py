@@ -24,12 +24,12 @@ from rotordyn.equation.housing import Foundation
 from rotordyn.equation.joint import joint_parts
 from rotordyn.equation.lumped import lumped_parts
 from rotordyn.equation.mesh import Mesh
-from rotordyn.equation.seat import seat_joined
+from rotordyn.equation.seat import seat_law
 from rotordyn.equation.shaft import Rows, Shaft
 from rotordyn.equation.sleeve import Sleeves, springs
-from rotordyn.equation.squeeze_film import film_joined
-from rotordyn.equation.support import support_joined
-from rotordyn.equation.term import Joined, Link, Part
+from rotordyn.equation.squeeze_film import film_law
+from rotordyn.equation.support import support_law
+from rotordyn.equation.term import Link, LinkLaw, Part
 from rotordyn.machine.joint import WAYS
 from rotordyn.machine.plausibility import SOFT
 from rotordyn.machine.rotor import Place
@@ -41,9 +41,9 @@ from rotordyn.numerics.groups import first_joined, join
 from rotordyn.numerics.sparse import summed
 
 PAIRED = {"y": "z", "z": "y", "thy": "thz", "thz": "thy"}  # planes keep the same static modes
-JOINED: dict[type, Callable[..., Joined]] = {
-    LinearSupport: support_joined,
-    SqueezeFilmDamper: film_joined,
+LAWS: dict[type, Callable[..., LinkLaw]] = {
+    LinearSupport: support_law,
+    SqueezeFilmDamper: film_law,
 }
 JOINING = ("mass", "stiffness", "damping")  # matrices that make DOF one component
 
@@ -95,10 +95,10 @@ class Structure:
         self._sleeve_parts = list(self.sleeves.parts(spindle))
         rest = (p for term in terms for p in term if softened or p.matrix != "softening")
         self.parts: list[Part] = [*self._sleeve_parts, *rest]
-        self.joined = [seat_joined(seat, k) for k, seat in enumerate(spindle.seats)]
+        self.laws = [seat_law(seat, k) for k, seat in enumerate(spindle.seats)]
         further = spindle.connections[len(spindle.seats) :]
-        self.joined += [JOINED[type(each)](each) for each in further]
-        self.connections = list(map(self._link, spindle.connections, self.joined))
+        self.laws += [LAWS[type(each)](each) for each in further]
+        self.connections = list(map(self._link, spindle.connections, self.laws))
         self.sleeve_springs = list(self.sleeves.links(spindle))
         self.drawbar = list(drawbar_links(self.shafts[SPINDLE]))
         self._ports = self._port_dofs(ports)
@@ -136,9 +136,9 @@ class Structure:
         shaft = self.shafts[rotor]
         return np.asarray(shaft.node[shaft.mesh.node_of(x)])
 
-    def _link(self, part: BearingSeat | LinearSupport | SqueezeFilmDamper, joined: Joined) -> Link:
+    def _link(self, part: BearingSeat | LinearSupport | SqueezeFilmDamper, law: LinkLaw) -> Link:
         """Return motion (6, DOF) relative to what carries a bearing, support or damper."""
-        sides = zip(joined.ends, (1.0, -1.0), strict=True)
+        sides = zip(law.ends, (1.0, -1.0), strict=True)
         nodes = [(self.node(end, part.x), side) for end, side in sides if end != GROUND]
         dofs = [node for node, _ in nodes]
         motions = [side * np.diag(self.dofs.sign[node]) for node, side in nodes]
@@ -151,7 +151,7 @@ class Structure:
                 dofs.append(np.array([number]))
                 motions.append(-np.eye(6)[:, [position(direction)]])
         ends = np.concatenate(dofs), np.hstack(motions)
-        return Link(part.name, *ends, joined.matrices, joined.loss_factor, joined.rigid)
+        return Link(part.name, *ends, law.matrices, law.loss_factor, law.rigid)
 
     def _port_dofs(self, places: Iterable[Place]) -> Indices:
         """Return the DOF of shafts at which links, heavy discs, dampers of joints and users act."""
@@ -171,8 +171,8 @@ class Structure:
 
     def _loaded(self) -> Iterator[tuple[str, float, Iterable[str]]]:
         """Yield rotor, station and directions in which the terms act on shafts."""
-        for part, joined in zip(self.spindle.connections, self.joined, strict=True):
-            yield from ((end, part.x, joined.acts) for end in joined.ends if end != GROUND)
+        for part, law in zip(self.spindle.connections, self.laws, strict=True):
+            yield from ((end, part.x, law.acts) for end in law.ends if end != GROUND)
         for x in self.spindle.drawbar.stations if self.spindle.drawbar else ():
             yield SPINDLE, x, PAIRED
         for rotor, shaft in self.shafts.items():

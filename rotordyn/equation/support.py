@@ -11,7 +11,7 @@ import numpy as np
 
 from rotordyn.arrays import Array
 from rotordyn.equation.dofs import position
-from rotordyn.equation.term import Joined, LinkMatrices, State
+from rotordyn.equation.term import LinkLaw, LinkMatrices, State
 from rotordyn.machine.matrix import Value
 from rotordyn.machine.support import LinearSupport
 
@@ -21,7 +21,7 @@ for _row, _column, _sign in ((0, 0, 1), (1, 2, -1), (2, 1, 1), (3, 3, 1), (4, 5,
     _QUARTER_TURN[_row, _column] = _sign
 
 
-def support_joined(support: LinearSupport) -> Joined:
+def support_law(support: LinearSupport) -> LinkLaw:
     """Return stiffness and damping over the six directions (s or 1, 6, 6) between its ends.
 
     Raises
@@ -38,7 +38,7 @@ def support_joined(support: LinearSupport) -> Joined:
 
     acts = {name for pair in (*support.stiffness, *support.damping) for name in pair}
     rigid = tuple(position(direction) for direction in support.rigid)
-    return Joined(matrices, acts | {*support.rigid}, support.ends, support.loss_factor, rigid)
+    return LinkLaw(matrices, acts | {*support.rigid}, support.ends, support.loss_factor, rigid)
 
 
 def node_matrix(entries: Mapping[tuple[str, str], Value]) -> Array:

@@ -13,7 +13,7 @@
 4. Matrices are of the signed DOF of ``dofs``.
 
 To add a term: a file like ``lumped`` (parts) or ``support`` (links), and one line in ``structure``,
-for a connection between shaft and ground in its table ``JOINED``.
+for a connection of a shaft its ``LinkLaw`` in the table ``LAWS``.
 
 Theory: docs/theory/rotor.md#parts-and-links.
 """
@@ -59,9 +59,10 @@ class LinkMatrices(NamedTuple):
 AtState = Callable[[State], LinkMatrices]
 
 
-class Joined(NamedTuple):
-    """What a bearing, support or damper does between two ``ends``, rotors or ground: ``matrices``
-    over the six directions, ``loss_factor``, ``rigid`` as of a link; ``acts`` in directions."""
+class LinkLaw(NamedTuple):
+    """The link that a bearing, support or damper is between two ``ends``, rotors or ground:
+    ``matrices`` over the six directions, ``loss_factor`` and ``rigid`` as of a ``Link``; ``acts``:
+    the directions in which it does."""
 
     matrices: AtState
     acts: Iterable[str]

@@ -21,7 +21,7 @@ from rotordyn.figures.style import USUAL_FORMATS
 from rotordyn.job.results import DATE, Origin, Part, Results, inputs_of
 from rotordyn.job.solving import labelled, restricted, solve, solve_variants, unsolved
 from rotordyn.results.by_variant import by_variant
-from rotordyn.results.gravity import gravest_first
+from rotordyn.results.severity import severest_first
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -114,7 +114,7 @@ class SolvedResults(Results):
         sentences = solution.sentences(
             lambda machine: (*machine.warnings, *result_warnings(machine.results))
         )
-        return (*solution.unsolved, *gravest_first(sentences))
+        return (*solution.unsolved, *severest_first(sentences))
 
     @cached_property
     def notes(self) -> tuple[str, ...]:

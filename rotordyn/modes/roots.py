@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from rotordyn.arrays import Array, Complex, Indices
-from rotordyn.equation.free_motion import FreeMotions, answering_stiffness
+from rotordyn.equation.free_motion import FreeMotions, stiffness_with_signs
 from rotordyn.equation.hysteresis import signs_at
 from rotordyn.modes.branches import Branch, whirl_degree
 from rotordyn.modes.excitation import Line
@@ -142,7 +142,7 @@ def _corrected(
     Cases that are mostly critical speeds (lalanne_ferraris) take 1.6 times as long by ``_states``.
     """
     linear, line = scene.linear(subsystem), starts[0].line.size
-    stiffness = answering_stiffness(linear, signs_at(line))[rows]
+    stiffness = stiffness_with_signs(linear, signs_at(line))[rows]
     guess = np.asarray(np.array([s.vector for s in starts]) @ linear.basis, dtype=complex)
     damping = linear.within(linear.damping[rows])
     guessed_pole = np.asarray(1j * line * at, dtype=complex)
@@ -162,7 +162,7 @@ def _motions(scene: Scene, subsystem: int, start: Start) -> FreeMotions:
     if motions.linear.axisymmetric and not side:
         degree = whirl_degree(motions.linear, start.vector[None, :, None])
         side = math.copysign(1.0, degree[0, 0])
-    return motions.answering(start.line.size, side)
+    return motions.at_order(start.line.size, side)
 
 
 def _nearest(motions: FreeMotions, row: int, start: Start, speed: float) -> State | None:

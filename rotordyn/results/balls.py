@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from rotordyn.arrays import Array, Flags
 from rotordyn.machine.limits import PRELOAD_PRESSURE, WARNING_PRESSURE
-from rotordyn.results.gravity import Gravity, graded
+from rotordyn.results.severity import Severity, graded
 from rotordyn.results.text import which_of
 
 OILED = 0.1  # friction coefficient
@@ -37,7 +37,7 @@ def pressed(what: str, speed: Array, peak: Array) -> str:
         f"{what}: contact pressure {np.nanmax(peak) / 1e9:.2f} GPa is above "
         f"{WARNING_PRESSURE / 1e9:g} GPa, {which_of(speed, over)}: lower the preload or the loads"
     )
-    return graded(Gravity.LOAD, why)
+    return graded(Severity.LOAD, why)
 
 
 def preloaded(what: str, speed: Array, peak: Array) -> str:
@@ -49,7 +49,7 @@ def preloaded(what: str, speed: Array, peak: Array) -> str:
         f"{what}: contact pressure {at_rest / 1e9:.2f} GPa at rest, where spindle bearings are "
         f"preloaded to less than {PRELOAD_PRESSURE / 1e9:g} GPa: check preload and loads"
     )
-    return graded(Gravity.LOAD, why)
+    return graded(Severity.LOAD, why)
 
 
 def of_a_pair(rating: float, of_grooves: float) -> str:
@@ -107,7 +107,7 @@ def softened(factor: Array, speed: Array) -> str:
         f"hotter than 150 °C {which_of(speed, hot)}: the dynamic rating falls to "
         f"{100.0 * np.nanmin(factor):.0f} % there; cool it"
     )
-    return graded(Gravity.LOAD, why)
+    return graded(Severity.LOAD, why)
 
 
 def races(slipping: NDArray[np.str_]) -> NDArray[np.str_]:
@@ -129,7 +129,7 @@ def slipping(what: str, speed: Array, races: NDArray[np.str_]) -> str:
         f"{what}: the balls slip on {race} {which_of(speed, slips)} (friction as given): raise the "
         "preload, or lower the speed"
     )
-    return graded(Gravity.LOAD, why)
+    return graded(Severity.LOAD, why)
 
 
 def on_open_side(what: str, speed: Array, balls: Flags) -> str:
@@ -140,7 +140,7 @@ def on_open_side(what: str, speed: Array, balls: Flags) -> str:
         f"{what}: balls bear where the rings have no shoulder {which_of(speed, balls)}: raise the "
         "axial load, or turn the bearing round"
     )
-    return graded(Gravity.LOAD, why)
+    return graded(Severity.LOAD, why)
 
 
 def friction_warning(what: str, speed: Array, required: Array) -> str:
@@ -158,4 +158,4 @@ def friction_warning(what: str, speed: Array, required: Array) -> str:
         f"{which_of(speed, high)}; "
         "raise the preload, or set friction to compute the slip"
     )
-    return graded(Gravity.LOAD, why)
+    return graded(Severity.LOAD, why)

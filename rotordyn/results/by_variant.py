@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from rotordyn.results.gravity import graded, gravity_of
+from rotordyn.results.severity import graded, severity_of
 
 MOST_NAMED = 3  # variants that one sentence names
 
 
 def by_variant(said: Mapping[str, Iterable[str]]) -> tuple[str, ...]:
     """Merge sentences by variant (``said``): each once, led by the names of its variants; warnings
-    keep their gravity.
+    keep their severity.
 
     >>> by_variant({"a": ["low", "hot"], "b": ["low"], "c": []})
     ('a, b: low', 'a: hot')
@@ -21,7 +21,7 @@ def by_variant(said: Mapping[str, Iterable[str]]) -> tuple[str, ...]:
         for sentence in dict.fromkeys(sentences):
             names.setdefault(sentence, []).append(name)
     return tuple(
-        graded(gravity_of(sentence), f"{_listed(variants, len(said))}: {sentence}")
+        graded(severity_of(sentence), f"{_listed(variants, len(said))}: {sentence}")
         if any(variants)
         else sentence
         for sentence, variants in names.items()

@@ -39,7 +39,7 @@ def turned(quantity: str) -> str:
     )
 
 
-def require_isotropic(scene: Scene) -> None:
+def require_axisymmetric(scene: Scene) -> None:
     """Check that bending may be written in the rotating frame.
 
     Raises

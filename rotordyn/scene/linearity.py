@@ -14,7 +14,7 @@ from rotordyn.equation.linear import Linear
 from rotordyn.equation.seat import BEARING_DIRECTIONS, HALF_TURN_ABOUT_Y
 from rotordyn.results.declaration import Absence
 from rotordyn.results.display import RPM, number
-from rotordyn.results.gravity import Gravity, of_gravity
+from rotordyn.results.severity import Severity, of_severity
 
 if TYPE_CHECKING:
     from rotordyn.scene.scene import Scene
@@ -85,7 +85,7 @@ def departure(scene: Scene, moved: Array | Complex) -> Array:
     return deviation
 
 
-@of_gravity(Gravity.INVALID)
+@of_severity(Severity.INVALID)
 def tangent_warnings(
     what: str, names: Sequence[str], speed: Array | None, apart: NDArray[np.floating]
 ) -> Iterator[str]:
@@ -112,7 +112,7 @@ def tangent_warnings(
         )
 
 
-@of_gravity(Gravity.INVALID)
+@of_severity(Severity.INVALID)
 def not_small(what: str, speed: Array, slope: NDArray[np.floating]) -> Iterator[str]:
     """Yield a warning where the inclination ``slope`` (speeds, …) [rad] of the shaft exceeds that
     of small deflections."""

@@ -19,7 +19,7 @@ from rotordyn.equation.assemble import assemble, subsystems
 from rotordyn.equation.component import Component
 from rotordyn.equation.dofs import position
 from rotordyn.equation.fineness import Fineness
-from rotordyn.equation.free_motion import FreeMotions, free_motions, responding
+from rotordyn.equation.free_motion import FreeMotions, free_motions, without_poles
 from rotordyn.equation.linear import Linear, name_of
 from rotordyn.equation.seat import in_spindle_frame
 from rotordyn.equation.statics import stands
@@ -312,7 +312,7 @@ class Scene(Statics):
         key = k, b"" if all_rows or rows is None else rows.tobytes()
         if key not in self._at_rows:
             linear, name = self.linear(k, rows), f"{self.name_of(k)} modes"
-            if few and (motions := self.timed(name, partial(responding, linear))):
+            if few and (motions := self.timed(name, partial(without_poles, linear))):
                 return motions
             solve = partial(free_motions, linear, self._ceiling)
             self._at_rows[key] = self.timed(name, solve)

@@ -77,7 +77,7 @@ class Spec(Description):
 
 def redundant_support_faults(setting: Setting) -> Faults:
     """Yield a fault where rigid supports make a rigid rotor statically indeterminate."""
-    from rotordyn.equation.holding import has_redundant_supports
+    from rotordyn.equation.restraint import has_redundant_supports
 
     if setting.conditions.rotor == "rigid" and has_redundant_supports(setting.spindle):
         yield (

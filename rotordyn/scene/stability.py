@@ -10,7 +10,7 @@ import numpy as np
 from rotordyn.arrays import Array, Complex
 from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.results.display import RPM, number
-from rotordyn.results.gravity import Gravity, of_gravity
+from rotordyn.results.severity import Severity, of_severity
 
 STRAIGHT = 1e-2  # |Im λ| / Re λ of a growing motion below which it is a divergence
 
@@ -44,7 +44,7 @@ def made_for(motions: FreeMotions) -> float:
     return motions.linear.structure.fine.frequency
 
 
-@of_gravity(Gravity.NO_STATE)
+@of_severity(Severity.NO_STATE)
 def instability(systems: Iterable[FreeMotions], speed: Array) -> list[str]:
     """Return one sentence where a motion is unstable at some of ``speed`` [rad/s], else none."""
     systems = list(systems)

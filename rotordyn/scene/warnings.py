@@ -30,7 +30,7 @@ from rotordyn.results.balls import (
     slipping,
 )
 from rotordyn.results.display import RPM, number
-from rotordyn.results.gravity import Gravity, of_gravity
+from rotordyn.results.severity import Severity, of_severity
 from rotordyn.results.text import which_of
 from rotordyn.scene.expansions import expansion_warnings
 from rotordyn.scene.missing_shifts import missing_shifts
@@ -74,7 +74,7 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
         yield from _statically_unstable(scene)
 
 
-@of_gravity(Gravity.LOAD)
+@of_severity(Severity.LOAD)
 def _released_fits(scene: Scene) -> Iterator[str]:
     """Warn of rings that come loose where temperatures are known."""
     speed = scene.bearing_speed[scene.has_temperatures]
@@ -110,7 +110,7 @@ def _when(held: float, loose: float) -> str:
     return f"at {last} rpm" if held == loose else f"between {first} and {last} rpm"
 
 
-@of_gravity(Gravity.NO_STATE)
+@of_severity(Severity.NO_STATE)
 def _statically_unstable(scene: Scene) -> Iterator[str]:
     """Warn where the negative stiffness of supports exceeds the stiffness that holds the shaft."""
     speed = scene.speed[scene.usable][scene.statically_unstable]
@@ -220,7 +220,7 @@ def _walls(spindle: Spindle, largest: Mapping[str, Array]) -> str:
     )
 
 
-@of_gravity(Gravity.LOAD)
+@of_severity(Severity.LOAD)
 def _yielding_rings(scene: Scene) -> Iterator[str]:
     """Warn of inner rings that yield under their interference fit."""
     stress = ring_stress(scene.spindle, scene.bearing_speed, scene.temperatures)
@@ -375,7 +375,7 @@ def _of_several(
         yield warning(named(names), speed, joined)
 
 
-@of_gravity(Gravity.LOAD)
+@of_severity(Severity.LOAD)
 def _unloaded_balls(
     speed: Array, usable: Flags, loads: Iterable[tuple[BearingSeat, Array]]
 ) -> Iterator[str]:

@@ -13,8 +13,8 @@ import numpy as np
 
 from rotordyn.arrays import Array
 from rotordyn.case.case import Case
+from rotordyn.case.paths import found_at
 from rotordyn.case.study import MOST_DRAWN, SAMPLED, SAMPLINGS
-from rotordyn.case.varied import found_at
 from rotordyn.case.vary import changed
 from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput

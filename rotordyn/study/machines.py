@@ -17,7 +17,7 @@ from bearings.errors import BearingError
 from rotordyn.analyses.registry import analysis
 from rotordyn.case.asked import certain
 from rotordyn.case.case import Case
-from rotordyn.case.varied import found_at
+from rotordyn.case.paths import found_at
 from rotordyn.case.vary import changed
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.job.values import Values, values_of

@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 
 from rotordyn.case.case import Case
-from rotordyn.case.change import value_of
 from rotordyn.case.keys import MODELS
+from rotordyn.case.paths import found_at, value_of
 from rotordyn.case.study import MOST_POINTS
-from rotordyn.case.varied import found_at, usual_unit
+from rotordyn.case.varied import usual_unit
 from rotordyn.case.vary import vary
 from rotordyn.description import quantity_of
 from rotordyn.errors import InvalidInput

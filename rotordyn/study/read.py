@@ -12,10 +12,10 @@ from rotordyn.case.faults import Faults
 from rotordyn.case.forms import reading_of
 from rotordyn.case.library import is_path
 from rotordyn.case.node import Node
+from rotordyn.case.paths import found_at
 from rotordyn.case.read import load
 from rotordyn.case.reading import Reading
 from rotordyn.case.study import ABSENT, BOUNDS, SPACINGS, OptimumFile, SpanEntry, StudyFile
-from rotordyn.case.varied import found_at
 from rotordyn.description import quantity_of
 from rotordyn.errors import InvalidInput
 from rotordyn.field import shown

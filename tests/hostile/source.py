@@ -113,7 +113,7 @@ EQUIVALENT = {  # path -> change, word of its line, why: of mutants that change 
             "the rounding of a limit",
         ),
     ],
-    "rotordyn/equation/holding.py": [
+    "rotordyn/equation/restraint.py": [
         (
             "node_matrix(_largest(support)) / scale / scale[:, None] -> "
             "node_matrix(_largest(support)) / scale * scale[:, None]",

@@ -534,7 +534,7 @@ def test_a_sign_that_never_changes_drives_forward_whirl_at_rest() -> None:
     frequency it is the same as ours."""
     omega, _ = still()
     found = scene(disc(), [0.0, 0.5 * omega, 2.0 * omega])
-    skew = system_of(found).lossy.answering(Signs(-1, 0, 1)).pole
+    skew = system_of(found).lossy.with_signs(Signs(-1, 0, 1)).pole
     ours = system_of(found).modes.pole
 
     def whirling(poles: Complex, side: float) -> Complex:
@@ -635,7 +635,7 @@ def test_every_mode_is_one_of_the_system_that_answers_it(
         for pole in found[row][swinging]:
             turning = pole.imag if lossy.whirling else abs(pole.imag)
             signs = signs_of(np.array([turning]), np.array([spin]), whirling=lossy.whirling)
-            every = lossy.answering(Signs(*map(int, signs[0]))).pole[row]
+            every = lossy.with_signs(Signs(*map(int, signs[0]))).pole[row]
             every = every.conj() if pole.imag < 0.0 and not lossy.whirling else every
             assert np.abs(every - pole).min() < 1e-9 * abs(pole)
             assert (np.abs(found[row] - pole) < 1e-9 * abs(pole)).sum() == 1
@@ -658,7 +658,7 @@ def test_lossy_supports_decide_on_which_side_of_the_shaft_whirl_is(spin: float) 
     assert lossy is not None
     assert lossy.whirling
     plain, led, ahead, slower = (
-        lossy.answering(Signs(*signs)).pole[0]
+        lossy.with_signs(Signs(*signs)).pole[0]
         for signs in ((0, 0, 0), (0, 0, 1), (1, 0, 1), (-1, 0, 1))
     )
     (below,) = plain[(plain.imag > 0.9 * spin) & (plain.imag < spin)]

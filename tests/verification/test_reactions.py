@@ -9,7 +9,7 @@ import pytest
 from scipy.linalg import block_diag
 
 from rotordyn.equation.assemble import assemble
-from rotordyn.equation.static_equation import Acting
+from rotordyn.equation.static_equation import LoadCase
 from rotordyn.scene.at_rest import at_rest
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.scene import Scene
@@ -52,7 +52,7 @@ def test_reactions_are_those_of_the_equation_of_motion(seed: int, held: str) -> 
     scene = Scene(spindle, Conditions(), np.array([0.0]), 50.0)
     load = np.zeros((scene.mesh.nodes, 6))
     load[:, 1:3] = rng.normal(size=(scene.mesh.nodes, 2))
-    acting = Acting(load[None], np.zeros((scene.mesh.nodes - 1, 2, 3)))
-    found = at_rest(scene, scene.mesh, [acting])[0].push[0]
+    case = LoadCase(load[None], np.zeros((scene.mesh.nodes - 1, 2, 3)))
+    found = at_rest(scene, scene.mesh, [case])[0].push[0]
     known = _assembled(scene, load)
     assert np.abs(found - known).max() < 1e-11 * np.abs(known).max()

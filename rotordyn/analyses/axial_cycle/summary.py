@@ -9,8 +9,8 @@ import numpy as np
 from rotordyn.analyses.axial_cycle.result import AxialCycleResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM, STIFFNESS, number
-from rotordyn.results.gravity import Gravity, of_gravity
 from rotordyn.results.headline import Number, each_speed
+from rotordyn.results.severity import Severity, of_severity
 from rotordyn.results.text import from_to, over_speed, unbroken
 
 NO_LOSS = 1e-9  # J: rounding
@@ -38,7 +38,7 @@ def numbers(result: AxialCycleResult, _: Described) -> Iterator[Number]:
         yield from each_speed(result, "force", "N/µm", values, part=name)
 
 
-@of_gravity(Gravity.LOAD)
+@of_severity(Severity.LOAD)
 def warnings(result: AxialCycleResult) -> list[str]:
     """Warn of bearings that the force unloads."""
     sentences = []

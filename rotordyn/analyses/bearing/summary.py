@@ -24,8 +24,8 @@ from rotordyn.results.balls import (
 )
 from rotordyn.results.described import Described
 from rotordyn.results.display import DEGREE, RPM, STIFFNESS, percent
-from rotordyn.results.gravity import Gravity, of_gravity
 from rotordyn.results.headline import Number, each_speed
+from rotordyn.results.severity import Severity, of_severity
 from rotordyn.results.text import INDENT, from_to, over_speed
 
 MOST_LOADS = 6  # in a table of variants
@@ -55,7 +55,7 @@ def _rings(result: BearingMapResult) -> list[str]:
     ]
 
 
-@of_gravity(Gravity.LOAD)
+@of_severity(Severity.LOAD)
 def cut_off(result: BearingMapResult) -> list[str]:
     """Return a sentence for each ring whose groove ends within a contact ellipse at some load."""
     sentences = []

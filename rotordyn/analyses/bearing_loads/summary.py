@@ -10,8 +10,8 @@ import numpy as np
 from rotordyn.analyses.bearing_loads.result import BearingLoadsResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM
-from rotordyn.results.gravity import Gravity, of_gravity
 from rotordyn.results.headline import Number, each_speed
+from rotordyn.results.severity import Severity, of_severity
 from rotordyn.results.text import over_speed, unbroken
 
 
@@ -36,7 +36,7 @@ def numbers(result: BearingLoadsResult, _: Described) -> Iterator[Number]:
         yield from each_speed(result, "ball", "N", largest[:, k], part=name)
 
 
-@of_gravity(Gravity.LOAD)
+@of_severity(Severity.LOAD)
 def warnings(result: BearingLoadsResult) -> Iterator[str]:
     """Warn of bearings of which some ball loses contact under the loads."""
     share = result.loss_share

@@ -20,7 +20,7 @@ from rotordyn.modes.excitation import excited_by, exciting
 from rotordyn.modes.names import named
 from rotordyn.modes.overdamped import OVERDAMPED
 from rotordyn.numerics.products import times
-from rotordyn.scene.formulation import ROTATING, require_isotropic
+from rotordyn.scene.formulation import ROTATING, require_axisymmetric
 from rotordyn.scene.scene import Scene
 
 TIE = 1e-9  # of the largest displacement of a shape: less is rounding
@@ -36,7 +36,7 @@ def solve(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     """
     rotating = scene.conditions.formulation == ROTATING
     if rotating:
-        require_isotropic(scene)
+        require_axisymmetric(scene)
     highest = 2.0 * math.pi * spec.max_frequency
     seen = 2.0 * math.pi * scene.fineness.frequency if rotating else highest
 

@@ -16,8 +16,8 @@ from rotordyn.modes.overdamped import OVERDAMPED
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM, number, percent, rounded_up
 from rotordyn.results.frames import turning
-from rotordyn.results.gravity import Gravity, of_gravity
 from rotordyn.results.headline import Number
+from rotordyn.results.severity import Severity, of_severity
 from rotordyn.results.text import from_to, over_speed, unbroken
 
 WAYS = ("backward", "forward")
@@ -244,7 +244,7 @@ def warnings(result: CampbellResult) -> list[str]:
     return [*_unconverged(result), *_unstable_modes(result), *_omitted_modes(result)]
 
 
-@of_gravity(Gravity.INVALID)
+@of_severity(Severity.INVALID)
 def _unconverged(result: CampbellResult) -> list[str]:
     if not result.unconverged:
         return []
@@ -279,7 +279,7 @@ def _omitted_modes(result: CampbellResult) -> list[str]:
     return sentences
 
 
-@of_gravity(Gravity.NO_STATE)
+@of_severity(Severity.NO_STATE)
 def _unstable_modes(result: CampbellResult) -> list[str]:
     """Return a sentence for each unstable mode, that of the threshold with its speed."""
     grown = {}

@@ -39,7 +39,7 @@ from rotordyn.modes.branches import branches_of
 from rotordyn.modes.criticals import BEYOND
 from rotordyn.modes.names import named
 from rotordyn.results.display import RPM
-from rotordyn.scene.formulation import ROTATING, require_isotropic, turned
+from rotordyn.scene.formulation import ROTATING, require_axisymmetric, turned
 from rotordyn.scene.lightly_damped import LIGHT
 from rotordyn.scene.refinement import (
     changes,
@@ -76,7 +76,7 @@ def solve(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
     """
     turning = scene.conditions.formulation == ROTATING
     if turning:
-        require_isotropic(scene)
+        require_axisymmetric(scene)
         if spec.quantity != QUANTITIES[0]:
             raise InvalidInput(turned(spec.quantity))
     if turning and spec.engine_orders:

@@ -12,8 +12,8 @@ from rotordyn.analyses.frf.result import FrequencyResponse
 from rotordyn.analyses.passivity import NO_DRIVING_POINT, fault_at_driving_point, misnamed
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM, number, rounded_up, shown
-from rotordyn.results.gravity import Gravity, graded
 from rotordyn.results.headline import Number
+from rotordyn.results.severity import Severity, graded
 from rotordyn.results.text import unbroken
 from rotordyn.scene.lightly_damped import lightly_damped
 
@@ -149,7 +149,7 @@ def warnings(result: FrequencyResponse) -> list[str]:
             f"frf: {pair} is less accurate than asked for: an estimated error of "
             f"{rounded_up(worst)} of its peak remains after refinement"
         )
-        sentences.append(graded(Gravity.INVALID, why))
+        sentences.append(graded(Severity.INVALID, why))
     return [*sentences, *_lightly_damped(result)]
 
 

@@ -20,6 +20,7 @@ from rotordyn.results.balls import (
 from rotordyn.results.described import Described
 from rotordyn.results.display import DEGREE, RPM, number, percent
 from rotordyn.results.headline import Number, each_speed
+from rotordyn.results.severity import Severity, graded, severity_of
 from rotordyn.results.text import from_to, unbroken, which_of
 
 LONG = 1e6  # h, beyond which no life is printed
@@ -177,7 +178,10 @@ def warnings(result: LifeResult) -> list[str]:
         for sentence in _of_bearing(result, k):
             sentences.setdefault(sentence, []).append(name)
     return [
-        f"bearing{'s' if len(names) > 1 else ''} {', '.join(names)}: {sentence}"
+        graded(
+            severity_of(sentence),
+            f"bearing{'s' if len(names) > 1 else ''} {', '.join(names)}: {sentence}",
+        )
         for sentence, names in sentences.items()
     ]
 
@@ -192,11 +196,12 @@ def _of_bearing(result: LifeResult, k: int) -> Iterator[str]:
     if passing.any():
         margin = -np.nanmin(result.shoulder_margin[:, k]) * DEGREE.factor
         share = percent(np.nanmax(result.lost_load[:, k]))
-        yield (
+        cut = (
             f"a contact ellipse passes the shoulder by {margin:.2g}° "
             f"{which_of(result.speed, passing)}, with {share} of its load; lower the load or raise "
             "the shoulder"
         )
+        yield graded(Severity.LOAD, cut)
     turning = result.speed > 0.0
     thin = turning & (result.viscosity_ratio[:, k] < LEAST_KAPPA)
     if thin.any():
@@ -210,11 +215,12 @@ def _of_bearing(result: LifeResult, k: int) -> Iterator[str]:
         yield thick
     slips = result.slips[:, k]
     if slips.any():
-        yield (
+        slip = (
             "the balls need more friction than the lubricant provides "
             f"{which_of(result.speed, slips)}: they slip, and the heat of the contacts is "
             "uncertain there; raise the preload"
         )
+        yield graded(Severity.LOAD, slip)
     life = result.spectrum_life[k]
     lives = np.array([life]) if np.isfinite(life) else result.life[:, k]
     if np.isfinite(result.target) and np.nanmin(lives, initial=np.inf) < result.target:

@@ -10,8 +10,8 @@ import numpy as np
 from rotordyn.analyses.matrices.result import MatricesResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM, rounded_up, shown
-from rotordyn.results.gravity import Gravity, of_gravity
 from rotordyn.results.headline import Number
+from rotordyn.results.severity import Severity, of_severity
 from rotordyn.scene.refinement import RESPONSES
 
 
@@ -41,7 +41,7 @@ def accuracy(result: MatricesResult) -> list[str]:
     return [f"frequencies of the matrices within {rounded_up(result.frequency_error)}"]
 
 
-@of_gravity(Gravity.INVALID)
+@of_severity(Severity.INVALID)
 def warnings(result: MatricesResult) -> list[str]:
     """Warning that the requested accuracy is not reached."""
     worst = max(RESPONSES * result.frequency_error, result.receptance_error)

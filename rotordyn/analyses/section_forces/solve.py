@@ -16,7 +16,7 @@ from rotordyn.analyses.section_forces.spec import SectionForcesSpec
 from rotordyn.analyses.section_forces.static_loads import loaded_mesh, static_loads
 from rotordyn.arrays import Array
 from rotordyn.equation.mesh import Mesh
-from rotordyn.equation.static_equation import Acting
+from rotordyn.equation.static_equation import LoadCase
 from rotordyn.machine.inertia import mass_in_front
 from rotordyn.machine.spindle import Spindle
 from rotordyn.scene.at_rest import at_rest, cut_forces
@@ -38,9 +38,9 @@ def solve(scene: Scene, spec: SectionForcesSpec) -> SectionForcesResult:
     mesh = loaded_mesh(spindle, spec, scene.conditions.element_length)
     loads = static_loads(spindle, mesh, spec, scene.conditions)
     speed = scene.speed[scene.usable]
-    acting = Acting(loads.point + (speed**2)[:, None, None] * loads.turning, loads.line)
-    (rest,) = at_rest(scene, mesh, [acting])
-    forces, displacement, push = cut_forces(scene, mesh, acting, rest), rest.moved, rest.push
+    case = LoadCase(loads.point + (speed**2)[:, None, None] * loads.turning, loads.line)
+    (rest,) = at_rest(scene, mesh, [case])
+    forces, displacement, push = cut_forces(scene, mesh, case, rest), rest.displacement, rest.push
     at_ends = np.stack([forces.front, forces.rear], axis=-2)
     departures = np.full((len(at_ends), len(spindle.connections)), np.nan)
     if spindle.seats:
@@ -50,7 +50,7 @@ def solve(scene: Scene, spec: SectionForcesSpec) -> SectionForcesResult:
         at_ends[..., 0] += _preloaded(scene, mesh)
         push = push + _preload_push(scene)
     cut = scene.scattered(at_ends.reshape(len(at_ends), -1, 6))
-    ends = np.stack([displacement[:, :-1] + rest.apart, displacement[:, 1:]], axis=2)
+    ends = np.stack([displacement[:, :-1] + rest.jump, displacement[:, 1:]], axis=2)
     line = scene.scattered(ends.reshape(len(displacement), -1, 6))
     outer, inner = (diameter.T.ravel() for diameter in (mesh.outer, mesh.inner))
     stress = outer_fibre(cut, outer, inner)

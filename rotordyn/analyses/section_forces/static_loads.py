@@ -10,10 +10,15 @@ import numpy as np
 
 from rotordyn.analyses.section_forces.spec import SectionForcesSpec
 from rotordyn.arrays import Array
-from rotordyn.equation.holding import rigid_motion, unrestrained_motions
 from rotordyn.equation.mesh import Mesh, build_mesh, station_mesh
+from rotordyn.equation.restraint import (
+    on_nodes,
+    require_balance,
+    rigid_motion,
+    unrestrained_motions,
+)
 from rotordyn.machine.spindle import Spindle
-from rotordyn.scene.at_rest import on_nodes, require_balance, weight
+from rotordyn.scene.at_rest import weight
 from rotordyn.scene.conditions import Conditions
 
 

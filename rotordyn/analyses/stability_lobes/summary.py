@@ -23,8 +23,8 @@ from rotordyn.results.display import (
     number,
     rounded_up,
 )
-from rotordyn.results.gravity import Gravity, graded
 from rotordyn.results.headline import Number
+from rotordyn.results.severity import Severity, graded
 from rotordyn.results.text import unbroken
 
 MOST = 4  # pockets named
@@ -272,7 +272,7 @@ def warnings(result: StabilityLobesResult) -> list[str]:
             f"stability_lobes: no limit at {len(failed)} of {len(result.depth)} speeds of the "
             f"cutter, first at {_rpm(result, failed[0])}: {result.cutting_outcome[failed[0]]}"
         )
-        sentences.append(graded(Gravity.NO_STATE, why))
+        sentences.append(graded(Severity.NO_STATE, why))
     growing = np.flatnonzero(_growing(result))
     if growing.size:
         first, hertz = growing[0], result.chatter[growing[0]]
@@ -284,7 +284,7 @@ def warnings(result: StabilityLobesResult) -> list[str]:
             f"{growing.size} of {len(result.depth)} speeds of the cutter, first at "
             f"{_rpm(result, first)}, where {what} grows: no depth is stable there"
         )
-        sentences.append(graded(Gravity.NO_STATE, why))
+        sentences.append(graded(Severity.NO_STATE, why))
     flips = np.flatnonzero(np.array(result.loss) == FLIP)
     if flips.size:
         rpm = number(result.cutting_speed[flips[0]] * RPM.factor, 0)
@@ -310,7 +310,7 @@ def warnings(result: StabilityLobesResult) -> list[str]:
             f"stability_lobes: limits still change {amount} with modes above "
             f"{number(result.modelled, 0)} Hz: raise max_frequency, or give damping to such modes"
         )
-        sentences.append(graded(Gravity.INVALID, why))
+        sentences.append(graded(Severity.INVALID, why))
     elif (highest := float(np.nanmax(result.chatter, initial=0.0))) > result.modelled:
         sentences.append(
             f"stability_lobes: chatter at {number(highest, 0)} Hz is above the "

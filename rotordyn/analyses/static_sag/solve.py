@@ -18,7 +18,7 @@ from rotordyn.analyses.static_sag.result import StaticSagResult
 from rotordyn.analyses.static_sag.spec import StaticSagSpec
 from rotordyn.arrays import Array
 from rotordyn.equation.dofs import position
-from rotordyn.equation.static_equation import Acting
+from rotordyn.equation.static_equation import LoadCase
 from rotordyn.scene.at_rest import at_rest, weight
 from rotordyn.scene.conditions import gravity_vector
 from rotordyn.scene.scene import Scene
@@ -38,9 +38,9 @@ def solve(scene: Scene, spec: StaticSagSpec) -> StaticSagResult:
     node, gauges = mesh.node_of(spindle.points[spec.point]), np.array(spec.gauges)
     down = spec.weight_of(scene.conditions)
     point, line = weight(spindle, mesh, down)
-    acting = [Acting(point[None], line)]
-    acting += [each for ring in spec.ring_runouts for each in _eccentric(scene, ring.bearing)]
-    displacement, *by_ring = (rest.moved for rest in at_rest(scene, mesh, acting))
+    cases = [LoadCase(point[None], line)]
+    cases += [each for ring in spec.ring_runouts for each in _eccentric(scene, ring.bearing)]
+    displacement, *by_ring = (rest.displacement for rest in at_rest(scene, mesh, cases))
     on_bar = [_on_bar(moved[:, node], gauges) for moved in by_ring]
     # y and z of the eccentricity are the real parts of e^(iψ) and −i e^(iψ)
     per_eccentricity = [y - 1j * z for y, z in zip(on_bar[::2], on_bar[1::2], strict=True)]
@@ -74,14 +74,14 @@ def solve(scene: Scene, spec: StaticSagSpec) -> StaticSagResult:
     )
 
 
-def _eccentric(scene: Scene, bearing: str) -> Iterator[Acting]:
+def _eccentric(scene: Scene, bearing: str) -> Iterator[LoadCase]:
     """Yield an inner ring that is eccentric by 1 m along y, and along z, without loads."""
     mesh, connections = scene.mesh, scene.spindle.connections
     ring = next(k for k, each in enumerate(connections) if each.name == bearing)
     for direction in DEFLECTION:
         offset = np.zeros((len(connections), 6))
         offset[ring, direction] = 1.0
-        yield Acting(np.zeros((1, mesh.nodes, 6)), np.zeros((mesh.nodes - 1, 2, 3)), offset)
+        yield LoadCase(np.zeros((1, mesh.nodes, 6)), np.zeros((mesh.nodes - 1, 2, 3)), offset)
 
 
 def _slope(displacement: Array) -> Array:

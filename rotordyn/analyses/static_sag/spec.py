@@ -82,7 +82,8 @@ class StaticSagSpec(Spec):
     def last_faults_on(self, setting: Setting) -> Faults:
         """Require that the shaft is no free body under its weight, and reactions are determined."""
         from rotordyn.equation.mesh import station_mesh
-        from rotordyn.scene.at_rest import on_nodes, require_balance, weight
+        from rotordyn.equation.restraint import on_nodes, require_balance
+        from rotordyn.scene.at_rest import weight
 
         spindle = setting.spindle
         if faults := [*redundant_support_faults(setting)]:

@@ -10,8 +10,8 @@ import numpy as np
 from rotordyn.analyses.stiffness.result import SHORT_STOP, StiffnessResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM, STIFFNESS
-from rotordyn.results.gravity import Gravity, of_gravity
 from rotordyn.results.headline import Number, each_speed
+from rotordyn.results.severity import Severity, of_severity
 from rotordyn.results.text import over_speed, unbroken
 
 
@@ -37,7 +37,7 @@ def warnings(result: StiffnessResult) -> list[str]:
     return [*_lost_at_stops(result), *_unloaded(result)]
 
 
-@of_gravity(Gravity.NO_STATE)
+@of_severity(Severity.NO_STATE)
 def _lost_at_stops(result: StiffnessResult) -> list[str]:
     """Return a warning of variants without a stable state where a stop closes."""
     own = [k for k, name in enumerate(result.variant) if name != SHORT_STOP]
@@ -52,7 +52,7 @@ def _lost_at_stops(result: StiffnessResult) -> list[str]:
     ]
 
 
-@of_gravity(Gravity.LOAD)
+@of_severity(Severity.LOAD)
 def _unloaded(result: StiffnessResult) -> list[str]:
     """Return a warning of bearings in which the radial force unloads a ball."""
     force = result.unloading_force

@@ -10,8 +10,8 @@ from rotordyn.analyses.thermal_preload.result import ThermalPreloadResult
 from rotordyn.arrays import Array
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM
-from rotordyn.results.gravity import Gravity, of_gravity
 from rotordyn.results.headline import Number, each_speed
+from rotordyn.results.severity import Severity, of_severity
 from rotordyn.results.text import unbroken
 
 
@@ -55,7 +55,7 @@ def numbers(result: ThermalPreloadResult, _: Described) -> Iterator[Number]:
     yield from each_speed(result, "difference without a state", "K", _least_unsolved(result))
 
 
-@of_gravity(Gravity.NO_STATE)
+@of_severity(Severity.NO_STATE)
 def warnings(result: ThermalPreloadResult) -> Iterator[str]:
     """Warning of differences without a state, where the preload is lost or too high."""
     least = _least_unsolved(result)

@@ -11,8 +11,8 @@ from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.results.balls import pressed
 from rotordyn.results.described import Described
 from rotordyn.results.display import GIGAPASCAL, MICROMETRE, RPM, number, rounded_up
-from rotordyn.results.gravity import Gravity, graded
 from rotordyn.results.headline import Number, each_speed
+from rotordyn.results.severity import Severity, graded
 from rotordyn.results.text import unbroken
 
 CLOSES, OPENS = ": with a stop_stiffness they close", ": with a stop_stiffness stops open"
@@ -98,7 +98,7 @@ def warnings(result: TimeResponseResult) -> Iterator[str]:
                 f"{result.ended[row] * MILLISECOND.factor:.5g} ms, after which {why}: lower the "
                 "forces, or check the supports of the machine and its stability"
             )
-            yield graded(Gravity.NO_STATE, early)
+            yield graded(Severity.NO_STATE, early)
     yield from _sleeves(result)
     for k, name in enumerate(result.bearing):
         peak = np.nan_to_num(result.peak_pressure[:, k], posinf=np.inf)
@@ -109,7 +109,7 @@ def warnings(result: TimeResponseResult) -> Iterator[str]:
                 f"{HIGHEST_PRESSURE * GIGAPASCAL.factor:g} GPa), where results are not valid: "
                 "lower the forces"
             )
-            yield graded(Gravity.INVALID, overloaded)
+            yield graded(Severity.INVALID, overloaded)
         elif sentence := pressed(f"time_response, bearing {name}", result.speed, peak):
             yield sentence
         unloaded = np.nan_to_num(result.unloaded_time[:, k])
@@ -120,7 +120,7 @@ def warnings(result: TimeResponseResult) -> Iterator[str]:
                 f"{_rpm(result, row)}, for {unloaded[row] * MILLISECOND.factor:.3g} ms in total: "
                 "raise the preload, or lower the forces"
             )
-            yield graded(Gravity.LOAD, lost)
+            yield graded(Severity.LOAD, lost)
     worst = float(result.error.max(initial=0.0))
     if worst > result.error_asked:
         point = result.point[int(result.error.argmax())]
@@ -132,7 +132,7 @@ def warnings(result: TimeResponseResult) -> Iterator[str]:
             "steps still changed it by more than its largest value; raise max_frequency, which "
             "shortens them"
         )
-        yield graded(Gravity.INVALID, inaccurate)
+        yield graded(Severity.INVALID, inaccurate)
 
 
 def _sleeves(result: TimeResponseResult) -> Iterator[str]:

@@ -266,7 +266,7 @@ class _SpeedRange:
             )
         load = load_of(scene, linear, self.spec)
         *outputs, direct = _output_rows(scene, linear, self.spec, load)
-        force, rows = motions.turned(load, outputs)
+        force, rows = motions.in_modes(load, outputs)
         arrays = [modes.pole, modes.vector, modes.participation, modes.damping, modes.stiffness]
         return _Solved([*arrays, *rows], force, direct)
 

@@ -248,7 +248,7 @@ def _film_orbits(spindle: Spindle, speed: Array, ratio: float, force: Array) -> 
 
 def _absences(motions: FreeMotions, speed: Array) -> list[str]:
     """Return for each speed why it has no steady solution, or ""."""
-    synchronous = motions.answering(1.0)
+    synchronous = motions.at_order(1.0)
     spin, size = speed[:, None], np.abs(speed)[:, None]
     near = np.abs(synchronous.pole - 1j * size) <= UNDAMPED * size
     undamped = (near & (synchronous.whirl * spin >= 0.0)).any(axis=1) & (speed != 0.0)

@@ -12,7 +12,7 @@ from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.arrays import Array, Complex
 from rotordyn.equation.constraint import along
 from rotordyn.equation.dofs import position
-from rotordyn.equation.free_motion import FORWARD, answering_stiffness
+from rotordyn.equation.free_motion import FORWARD, stiffness_with_signs
 from rotordyn.equation.hysteresis import SYNCHRONOUS
 from rotordyn.equation.linear import Linear
 from rotordyn.equation.shaft import PLANES
@@ -42,7 +42,7 @@ def steady(scene: Scene, linear: Linear, spec: UnbalanceSpec, speed: Array) -> S
     is singular the motion is infinite.
     """
     force = load_of(scene, linear, spec)
-    stiffness, damping = answering_stiffness(linear, SYNCHRONOUS), linear.within(linear.damping)
+    stiffness, damping = stiffness_with_signs(linear, SYNCHRONOUS), linear.within(linear.damping)
     whole: NDArray[np.inexact] = linear.stiffness
     if linear.loss is not None:
         whole = whole + linear.loss.stiffness(SYNCHRONOUS)

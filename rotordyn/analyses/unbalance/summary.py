@@ -11,8 +11,8 @@ from rotordyn.arrays import Array
 from rotordyn.numerics.crossing import above_zero
 from rotordyn.results.described import Described
 from rotordyn.results.display import GRAM_MILLIMETRE, MICROMETRE, RPM, number, rounded_up
-from rotordyn.results.gravity import Gravity, graded
 from rotordyn.results.headline import Number
+from rotordyn.results.severity import Severity, graded
 from rotordyn.results.text import unbroken
 from rotordyn.scene.lightly_damped import LIGHT, lightly_damped
 from rotordyn.scene.linearity import tangent_warnings
@@ -186,7 +186,7 @@ def warnings(result: UnbalanceResult) -> list[str]:
             f"unbalance: the motion of {point} is less accurate than asked for: an estimated error "
             f"of {rounded_up(worst)} of its peak remains after refinement"
         )
-        sentences.append(graded(Gravity.INVALID, why))
+        sentences.append(graded(Severity.INVALID, why))
     return sentences
 
 
@@ -195,7 +195,7 @@ def _run_warnings(result: UnbalanceResult) -> Iterator[str]:
     for name, why in zip(result.run, result.run_outcome, strict=True):
         if why:
             lost = f"unbalance: the run {name} has no solution: {why}; leave it out"
-            yield graded(Gravity.NO_STATE, lost)
+            yield graded(Severity.NO_STATE, lost)
     for name, speed, departures in zip(
         result.run, result.run_force_peak_speed, result.run_departure, strict=True
     ):

@@ -11,8 +11,8 @@ from rotordyn.arrays import Array
 from rotordyn.preload.ring_stress import YIELD
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM
-from rotordyn.results.gravity import Gravity, graded, of_gravity
 from rotordyn.results.headline import Number, each_speed
+from rotordyn.results.severity import Severity, graded, of_severity
 from rotordyn.results.text import unbroken
 
 OVERSHOOT = 1.2  # times the load at the end: a larger maximum is reported
@@ -97,7 +97,7 @@ def warnings(result: WarmUpResult) -> Iterator[str]:
     """Yield warnings of early ends, long steps, load maxima, fits and missing thermal balance."""
     for row, why in enumerate(result.ending):
         if why and not result.outcome[row]:
-            yield graded(Gravity.NO_STATE, f"at {_rpm(result, row)} {why}")
+            yield graded(Severity.NO_STATE, f"at {_rpm(result, row)} {why}")
     if result.error > ENOUGH:
         yield (
             f"the shortest time steps still change temperatures by {result.error:.2g} K, and "
@@ -169,7 +169,7 @@ def _overshoot(result: WarmUpResult) -> Iterator[str]:
     )
 
 
-@of_gravity(Gravity.LOAD)
+@of_severity(Severity.LOAD)
 def _loose_rings(result: WarmUpResult) -> Iterator[str]:
     """Yield a warning of the inner rings, and one of the outer rings, that lose their fit on the
     way: that which is loose longest, with the others."""
@@ -198,7 +198,7 @@ def _loose_rings(result: WarmUpResult) -> Iterator[str]:
         )
 
 
-@of_gravity(Gravity.LOAD)
+@of_severity(Severity.LOAD)
 def _yielding_rings(result: WarmUpResult) -> Iterator[str]:
     """Yield a warning of the inner ring that its fit stresses most, where it yields."""
     stress = np.nan_to_num(result.ring_stress)

@@ -13,7 +13,7 @@ import numpy as np
 from bearings.arguments import typed
 from rotordyn.arrays import Array
 from rotordyn.case.case import Case
-from rotordyn.case.varied import found_at
+from rotordyn.case.paths import found_at
 from rotordyn.description import quantity_of
 from rotordyn.errors import InvalidInput
 from rotordyn.field import shown

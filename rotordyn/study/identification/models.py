@@ -9,7 +9,8 @@ from itertools import product
 from typing import Any
 
 from rotordyn.case.case import Case
-from rotordyn.case.varied import found_at, usual_unit
+from rotordyn.case.paths import found_at
+from rotordyn.case.varied import usual_unit
 from rotordyn.case.vary import vary
 from rotordyn.description import quantity_of
 from rotordyn.errors import InvalidInput

@@ -19,8 +19,8 @@ from rotordyn.case.identification import (
     UnknownEntry,
 )
 from rotordyn.case.node import Node
+from rotordyn.case.paths import found_at
 from rotordyn.case.reading import Reading
-from rotordyn.case.varied import found_at
 from rotordyn.description import quantity_of
 from rotordyn.errors import InvalidInput
 from rotordyn.quantity import suggestion

@@ -8,7 +8,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from rotordyn.case.case import Case
-from rotordyn.case.varied import found_at, from_top, usual_unit
+from rotordyn.case.paths import found_at, from_top
+from rotordyn.case.varied import usual_unit
 from rotordyn.case.vary import vary
 from rotordyn.description import quantity_of
 from rotordyn.errors import InvalidInput

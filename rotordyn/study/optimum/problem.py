@@ -15,7 +15,7 @@ import numpy as np
 from bearings.errors import BearingError
 from rotordyn.arrays import Array, Flags
 from rotordyn.case.case import Case
-from rotordyn.case.varied import found_at
+from rotordyn.case.paths import found_at
 from rotordyn.case.vary import changed
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.job.solving import unsolved

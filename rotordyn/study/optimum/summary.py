@@ -10,7 +10,7 @@ from typing import Any
 
 from rotordyn import __version__
 from rotordyn.case.case import Case
-from rotordyn.case.varied import found_at, places
+from rotordyn.case.paths import found_at, places
 from rotordyn.machine.seat import BearingSeat
 from rotordyn.report.tables import Column, write_table
 from rotordyn.results.display import sized

@@ -274,6 +274,8 @@ def test_the_order_of_overrides_does_not_matter(overridden: Override) -> None:
     lines = ["sleeves.front.mass: 1 kg", "sleeves.*.mass: 2 kg", "sleeves.rear.spring.preload: 9 N"]
     lines.append("sleeves.rear.spring: {preload: 8 N, stiffness: 5 N/um}")
     assert overridden(*lines) == overridden(*lines[::-1])
+    part, whole = lines[2], f"spindle.{lines[3]}"  # as deep as written, though it contains the part
+    assert overridden(part, whole).sleeves[1].spring.preload == 9.0
 
 
 @pytest.mark.parametrize("speeds", ["[0 rpm]", "{from: 0 rpm, to: 900 rpm, step: 900 rpm}"])

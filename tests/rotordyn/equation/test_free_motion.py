@@ -9,7 +9,7 @@ import pytest
 
 from rotordyn.analyses.frf.solve import solve
 from rotordyn.analyses.frf.spec import FrfSpec
-from rotordyn.equation.free_motion import answering_stiffness, free_motions
+from rotordyn.equation.free_motion import free_motions, stiffness_with_signs
 from rotordyn.equation.hysteresis import Signs
 from rotordyn.equation.linear import Linear
 from rotordyn.numerics.modes import modes
@@ -125,12 +125,12 @@ def test_lossy_supports_answer_ahead_of_the_motion(way: int) -> None:
     """Each spring k as k (1 + iη) of motions e^(iωt), the conjugate of e^(−iωt)."""
     held = tuple(replace(s, loss_factor=0.2) for s in EVEN)
     linear = bending(held, 3000.0)
-    found = answering_stiffness(linear, Signs(0, 0, way))
+    found = stiffness_with_signs(linear, Signs(0, 0, way))
     springs = sum(np.asarray(each.stiffness) for each in linear.connections)
     assert found.real == pytest.approx(linear.stiffness)
     assert found.imag == pytest.approx(way * 0.2 * springs)
     plain = bending(EVEN, 3000.0)
-    assert answering_stiffness(plain, Signs(0, 0, way)) is plain.stiffness
+    assert stiffness_with_signs(plain, Signs(0, 0, way)) is plain.stiffness
 
 
 UNEVEN = {

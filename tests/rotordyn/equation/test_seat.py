@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rotordyn.equation.seat import in_spindle_frame, seat_joined
+from rotordyn.equation.seat import in_spindle_frame, seat_law
 from rotordyn.equation.term import State
 from tests.oracles.spindles import mfw2310
 
@@ -21,7 +21,7 @@ def test_coupling_beside_what_both_ways_resist(unit: float, share: float, *, kep
     seats = mfw2310().seats[:1]
     tangents = in_spindle_frame(seats, tangent[None, None])
     state = State(np.zeros(1), tangents, np.zeros((1, 0), dtype=bool))
-    found = seat_joined(seats[0], 0).matrices(state).stiffness[0]
+    found = seat_law(seats[0], 0).matrices(state).stiffness[0]
     assert np.count_nonzero(np.diagonal(found)) == 5
     assert np.count_nonzero(found) == (7 if kept else 5)
     assert np.abs(found - np.diag(np.diagonal(found))).max() == (coupling if kept else 0.0)

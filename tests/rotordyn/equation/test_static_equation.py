@@ -9,7 +9,7 @@ import pytest
 from scipy.integrate import quad
 
 from rotordyn.equation.mesh import build_mesh
-from rotordyn.equation.static_equation import Acting, StaticEquation, Undetermined
+from rotordyn.equation.static_equation import LoadCase, StaticEquation, Undetermined
 from rotordyn.equation.term import State
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
@@ -36,8 +36,7 @@ def shaft(*sections: Section, supports: tuple[LinearSupport, ...] = (WALL,)) -> 
 
 
 def equation(spindle: Spindle) -> StaticEquation:
-    front = np.zeros((0, 6))
-    return StaticEquation(spindle, build_mesh(spindle), front, rigid=False, bent=False)
+    return StaticEquation(spindle, build_mesh(spindle), np.zeros((0, 6)))
 
 
 def loaded(spindle: Spindle, force: np.ndarray, line: np.ndarray | None = None) -> np.ndarray:
@@ -46,8 +45,8 @@ def loaded(spindle: Spindle, force: np.ndarray, line: np.ndarray | None = None) 
     point = np.zeros((1, solver.mesh.nodes, 6))
     point[0, -1] = force
     none = np.zeros((solver.mesh.nodes - 1, 2, 3))
-    acting = Acting(point, none if line is None else line)
-    return solver.solve(AT_REST, None, [acting])[0].moved[0]
+    case = LoadCase(point, none if line is None else line)
+    return solver.solve(AT_REST, [case])[0].displacement[0]
 
 
 @pytest.mark.parametrize("name", FORMS)
@@ -113,18 +112,24 @@ def test_ten_thousand_sections() -> None:
     assert moved[-1, 1] == pytest.approx(tip, rel=1e-9)
 
 
+def beside_a_wall(distance: float) -> Spindle:
+    """A cantilever with a second wall beside the first, at a ``distance`` over its length."""
+    second = replace(WALL, name="beside", x=distance * LENGTH)
+    return shaft(Section(LENGTH, DIAMETER, 0.0, STEEL), supports=(WALL, second))
+
+
 @pytest.mark.parametrize("distance", [1e-2, 1e-5, 4e-7])
-def test_rigid_supports_that_elasticity_does_not_distinguish_are_undetermined(
-    distance: float,
-) -> None:
-    """A second wall beside the first takes nothing of a force on the free end; its moment is next
-    to that of the first until rounding decides."""
-    cylinder = Section(LENGTH, DIAMETER, 0.0, STEEL)
-    supports = WALL, replace(WALL, name="beside", x=distance * LENGTH)
-    moved = loaded(shaft(cylinder, supports=supports), np.eye(6)[1])
+def test_a_second_wall_beside_the_first_takes_no_digits(distance: float) -> None:
+    """The shaft deflects as one held by the second wall alone."""
+    moved = loaded(beside_a_wall(distance), np.eye(6)[1])
     arm = (1.0 - distance) * LENGTH
     tip = arm**3 / (3.0 * E * INERTIA) + arm / (KAPPA * G * AREA)
     assert moved[-1, 1] == pytest.approx(tip, rel=1e-9)
+
+
+def test_rigid_supports_that_elasticity_does_not_distinguish_are_undetermined() -> None:
+    with pytest.raises(Undetermined):
+        loaded(beside_a_wall(1e-8), np.eye(6)[1])
 
 
 def test_a_shaft_goes_the_other_way_than_its_rings_are_offset() -> None:
@@ -135,7 +140,7 @@ def test_a_shaft_goes_the_other_way_than_its_rings_are_offset() -> None:
     none, offset = np.zeros((1, solver.mesh.nodes, 6)), np.zeros((2, 6))
     offset[:, 1] = 3e-6, -1e-6
     line = np.zeros((solver.mesh.nodes - 1, 2, 3))
-    moved = solver.solve(AT_REST, None, [Acting(none, line, offset)])[0].moved[0, :, 1]
+    moved = solver.solve(AT_REST, [LoadCase(none, line, offset)])[0].displacement[0, :, 1]
     assert moved == pytest.approx(np.interp(solver.mesh.x, [0.0, LENGTH], [-3e-6, 1e-6]), abs=1e-17)
 
 

@@ -17,7 +17,8 @@ import rotordyn
 from rotordyn import Goal, Limit, Span, model, optimise
 from rotordyn.analyses.headline import headline_numbers
 from rotordyn.case.case import Case
-from rotordyn.case.varied import found_at, unlike
+from rotordyn.case.paths import found_at
+from rotordyn.case.varied import unlike
 from rotordyn.case.vary import vary
 from rotordyn.cli import main
 from rotordyn.errors import InvalidInput

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rotordyn.equation.holding import (
+from rotordyn.equation.restraint import (
     free_names,
     has_redundant_supports,
     rigid_motion,

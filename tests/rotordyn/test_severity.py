@@ -1,13 +1,17 @@
-"""Warnings in the order of their gravity: what a screen omits is the least grave."""
+"""Warnings in the order of their severity: what a screen omits is the least severe."""
 
 from __future__ import annotations
 
 from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
 
 import rotordyn
+from rotordyn.analyses.life import summary
 from rotordyn.cli.screen import MOST_WARNINGS, on_screen
 from rotordyn.results.by_variant import by_variant
-from rotordyn.results.gravity import Gravity, graded, gravest_first, gravity_of
+from rotordyn.results.severity import Severity, graded, severest_first, severity_of
 from rotordyn.results.text import opening
 
 
@@ -24,20 +28,27 @@ def test_an_unstable_machine_comes_before_a_doubtful_number() -> None:
     assert last.startswith("b: damping.rotor")
 
 
-def test_variants_keep_the_gravity_of_a_sentence() -> None:
-    said = {"a": ["low", graded(Gravity.LOAD, "loose")], "b": [graded(Gravity.NO_STATE, "lost")]}
-    ordered = gravest_first(by_variant(said))
+def test_variants_keep_the_severity_of_a_sentence() -> None:
+    said = {"a": ["low", graded(Severity.LOAD, "loose")], "b": [graded(Severity.NO_STATE, "lost")]}
+    ordered = severest_first(by_variant(said))
     assert ordered == ("b: lost", "a: loose", "a: low")
-    assert [gravity_of(sentence) for sentence in ordered] == [
-        Gravity.NO_STATE,
-        Gravity.LOAD,
-        Gravity.DOUBT,
+    assert [severity_of(sentence) for sentence in ordered] == [
+        Severity.NO_STATE,
+        Severity.LOAD,
+        Severity.DOUBT,
     ]
 
 
-def test_a_screen_omits_the_least_grave() -> None:
+def test_bearings_keep_the_severity_of_a_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
+    said = [graded(Severity.LOAD, "hot"), "thin film"]
+    monkeypatch.setattr(summary, "_of_bearing", lambda result, k: said)
+    ordered = severest_first(reversed(summary.warnings(SimpleNamespace(bearing=("a", "b")))))
+    assert ordered == ("bearings a, b: hot", "bearings a, b: thin film")
+
+
+def test_a_screen_omits_the_least_severe() -> None:
     doubts = [f"doubt {k}" for k in range(MOST_WARNINGS)]
-    warnings = gravest_first([*doubts, graded(Gravity.INVALID, "less accurate than asked for")])
+    warnings = severest_first([*doubts, graded(Severity.INVALID, "less accurate than asked for")])
     text = "\n".join(opening(warnings, "title", ()))
     shown = on_screen(text, Path("summary.txt"))
     assert "less accurate" in shown

@@ -1,9 +1,11 @@
-"""Connections that hold a shaft at rest: bearings on their sleeves and housings, and supports.
+"""Motions of a rigid shaft that its bearings and supports leave free, and loads along these.
 
-Connections are the bearings, then the supports, in order; each has the six directions of its node.
+Theory: docs/theory/statics.md#equilibrium.
 """
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -11,12 +13,15 @@ from rotordyn.arrays import Array
 from rotordyn.equation.dofs import DIRECTIONS, position
 from rotordyn.equation.seat import BEARING_DIRECTIONS
 from rotordyn.equation.support import node_matrix
+from rotordyn.errors import InvalidInput
 from rotordyn.machine.plausibility import SOFT
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 from rotordyn.numerics.groups import first_joined
 
 ZERO = 1e-9  # of the largest: a motion with less is free
+BALANCED = 1e-6  # of all loads along a free motion
+ROUNDING = 1e-12  # of all loads
 
 
 def rigid_motion(x: Array, front: float) -> Array:
@@ -85,7 +90,45 @@ def has_redundant_supports(spindle: Spindle) -> bool:
     return bool(np.linalg.matrix_rank(held, tol=ZERO) < len(held)) if held.size else False
 
 
+def on_nodes(point: Array, line: Array, x: Array) -> Array:
+    """Add line loads to point loads (…, nodes, 6), with the same resultant at the element ends."""
+    front, rear = np.moveaxis(line, 1, 0)
+    length, loads = np.diff(x)[:, None], point.copy()
+    loads[..., :-1, :3] += (2.0 * front + rear) * length / 6.0
+    loads[..., 1:, :3] += (front + 2.0 * rear) * length / 6.0
+    return loads
+
+
+def require_balance(spindle: Spindle, x: Array, loads: Sequence[Array]) -> Array:
+    """Return the combinations of displacements of the front end that nothing holds (k, 6), along
+    which each of ``loads`` (nodes, 6) on nodes at ``x`` [m] must balance.
+
+    Raises
+    ------
+    InvalidInput : they do not: the shaft is a free body
+    """
+    free, scale = unrestrained_motions(spindle), length_scale(spindle)
+    motion = rigid_motion(x, float(x[0])) / scale
+    for load in loads if free.size else ():
+        work = np.einsum("nij,ni,jk->nik", motion, load, free, optimize=True)
+        imbalance, size = work.sum(axis=(0, 1)), np.abs(work).sum(axis=(0, 1))
+        unbalanced = np.abs(imbalance) > BALANCED * size + ROUNDING * np.abs(load / scale).sum()
+        if unbalanced.any():
+            raise InvalidInput(_free_body(free[:, unbalanced] @ imbalance[unbalanced], scale))
+    return np.asarray(free.T * scale)
+
+
 def free_names(motions: Array) -> str:
-    """Return the names of the directions in which free motions move."""
+    """Return the names of the directions in which free motions (6, k) move."""
     moving = np.abs(motions).max(axis=1, initial=0.0) > ZERO
     return ", ".join(name for name, moves in zip(DIRECTIONS, moving, strict=True) if moves)
+
+
+def _free_body(imbalance: Array, scale: Array) -> str:
+    names = free_names(imbalance[:, None] / np.abs(imbalance).max())
+    force, moment = np.abs(imbalance[:3]).max(), np.abs(imbalance * scale)[3:].max()
+    amount = f"{moment:.6g} N m" if names.startswith("th") else f"{force:.6g} N"
+    return (
+        f"free body in a static case: {names} unrestrained, with loads out of balance by {amount}; "
+        "balance them, or restrain the body by a support"
+    )
