@@ -289,6 +289,15 @@ def test_what_only_a_range_has_is_no_path(speeds: str, tmp_path: Path) -> None:
     assert len(found.value.faults) == 1
 
 
+def test_one_value_of_a_range_is_no_path(tmp_path: Path) -> None:
+    """A range has no items to replace; ``from`` and ``to`` of it are no path either."""
+    file, speeds = tmp_path / "case.yaml", "{from: 0 rpm, to: 900 rpm, step: 900 rpm}"
+    text = f"spindle: mfw2310\nspeeds: {speeds}\nanalyses: {{campbell: {{max_frequency: 1 kHz}}}}\n"
+    file.write_text(f"{text}override: {{speeds.1: 9000 rpm}}\n")
+    with pytest.raises(InvalidInput, match="'speeds' is a list of values: give it whole"):
+        rotordyn.load(file)
+
+
 def test_nothing_for_the_tool_takes_it_out(tmp_path: Path) -> None:
     file = tmp_path / "case.yaml"
     text = "spindle: mfw2310\nspeeds: [0 rpm]\nanalyses: {campbell: {max_frequency: 1 kHz}}\n"
