@@ -18,7 +18,13 @@ from rotordyn.case.forms import reading_of
 from rotordyn.case.library import find_case, sources_in
 from rotordyn.case.machines import named_once, read_spindle
 from rotordyn.case.node import Node
-from rotordyn.case.variants import from_the_top, of_machine, tools_compared, variant_trees
+from rotordyn.case.variants import (
+    from_the_top,
+    of_machine,
+    tools_compared,
+    variant_trees,
+    with_whole_conditions,
+)
 from rotordyn.description import Faults as Rules
 from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
@@ -135,7 +141,7 @@ def _case(root: Node, name: str, reader: expand.Reader) -> Case | None:
         bearing = None if expanded is None else reading.value(BallBearing, expanded)
         expand.ring_sizes(root, expanded)
         usable = usable or bearing is not None
-    values = reading.fields(Case, root, annotations={"spindle": Any, "bearing": Any})
+    values = reading.fields(Case, with_whole_conditions(root), annotations={"spindle": Any, "bearing": Any})
     given = () if spindle is None or all_known else spindle.references
     values |= {"name": name, "spindle": spindle, "bearing": bearing, "tool": fitted}
     values["references"] = given + values["references"]
