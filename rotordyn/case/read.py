@@ -141,7 +141,9 @@ def _case(root: Node, name: str, reader: expand.Reader) -> Case | None:
         bearing = None if expanded is None else reading.value(BallBearing, expanded)
         expand.ring_sizes(root, expanded)
         usable = usable or bearing is not None
-    values = reading.fields(Case, with_whole_conditions(root), annotations={"spindle": Any, "bearing": Any})
+    values = reading.fields(
+        Case, with_whole_conditions(root), annotations={"spindle": Any, "bearing": Any}
+    )
     given = () if spindle is None or all_known else spindle.references
     values |= {"name": name, "spindle": spindle, "bearing": bearing, "tool": fitted}
     values["references"] = given + values["references"]

@@ -19,10 +19,14 @@ from rotordyn.machine.assembly import unknown
 from rotordyn.machine.bearing_set import CLASSES
 from rotordyn.machine.flexible_rings import SIZES, RingBodies
 from rotordyn.machine.seat import BearingSeat
+from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.tool import Tool
 from rotordyn.units import shown as as_written
 
 OF_CLASS = ("preload", "class")
+# What a file gives whole of a spindle, beside which a tool has its own.
+_WHOLE = (("masses",), ("joints",), ("shaft",), ("shaft", "start"), ("shaft", "sections"))
 # Keys of files that change the bearing models they are beside, and the path of these.
 OVERRIDES = {
     (Spindle, "bearing_override"): ("bearings", "*", "model"),
@@ -276,3 +280,45 @@ def in_the_nose(case: Case, change: Change) -> list[Change]:
     if steps[1:2] in [(item.name,) for item in items]:
         return [inside]
     return [change, inside] if items and steps[1] == "*" else [change]
+
+
+def beside_tool(spindle: Spindle, tool: Tool, change: Change) -> list[Change]:
+    """The change of a whole list, of the shaft or of all points of a ``spindle``, which in files
+    has no ``tool``, as those of the spindle with the tool in its nose."""
+    steps, value = change.steps[1:], change.value
+    if change.steps[0] == "spindle" and steps == ("points",) and isinstance(value, Mapping):
+        nose = spindle.shaft.start - tool.front(0.0)
+        return [replace(change, value={**tool.placed(nose), **value})]
+    if change.steps[0] != "spindle" or steps not in _WHOLE:
+        return [change]
+    holder = Shaft if len(steps) == 2 else Spindle
+    annotation = next(f.annotation for f in declared(holder) if f.keys == steps[-1:])
+    old = spindle.shaft if holder is Shaft else spindle
+    full = _with_shared(old, replace(change, steps=steps[-1:]))
+    whole = taken(annotation, replace(full, steps=()))
+    if steps[0] == "shaft":
+        return _before_nose(spindle, tool, change, whole)
+    added = getattr(tool, steps[0])
+    return [change if _holds(whole, added) else replace(change, value=(*whole, *added))]
+
+
+def _before_nose(spindle: Spindle, tool: Tool, change: Change, whole: Any) -> list[Change]:
+    """The change to ``whole`` of the shaft, its start or its sections, behind those of the tool;
+    another start moves the points of the tool."""
+    sections, last = tool.sections, change.steps[-1]
+    if last != "start" and _holds(whole.sections if last == "shaft" else whole, sections):
+        return [change]
+    if last == "sections":
+        front = spindle.shaft.sections[: len(sections)]
+        return [replace(change, value=(*front, *whole))]
+    nose = whole.start if last == "shaft" else whole
+    new = whole.preceded_by(sections) if last == "shaft" else tool.front(nose)
+    points = tool.placed(nose).items()
+    moved = [replace(change, value=x, steps=("spindle", "points", name)) for name, x in points]
+    return [replace(change, value=new), *moved]
+
+
+def _holds(items: Iterable[Any], added: Iterable[Any]) -> bool:
+    """Whether items given as a whole include some of a tool, as those of a spindle in Python do."""
+    names = {item.name for item in added}
+    return any(item.name and item.name in names for item in items)

@@ -17,6 +17,7 @@ from rotordyn.case.change import Change, taken, way_to, ways_of
 from rotordyn.case.deeper import deeper
 from rotordyn.case.keys import keys_of
 from rotordyn.case.spelled import (
+    beside_tool,
     in_the_nose,
     of_class,
     of_items,
@@ -258,6 +259,8 @@ def _clamped(case: Case, field: Field, changes: Sequence[Change]) -> Sequence[Ch
     else:
         tool, spindle = case.tool, case.spindle
     if not of_tool:
+        if tool and spindle:
+            changes = [x for each in changes for x in beside_tool(spindle, tool, each)]
         return [*([replace(whole[0], value=None, steps=("tool",))] if whole else []), *changes]
     if spindle is None:
         raise of_tool[0].refused("a tool needs a spindle: this case has none")
@@ -267,6 +270,8 @@ def _clamped(case: Case, field: Field, changes: Sequence[Change]) -> Sequence[Ch
     with unchecked() if further else nullcontext():  # checked with what else changes
         bare = _made(lambda: spindle.without_tool(tool) if tool else spindle, {}, of_tool)
         spindle = _made(lambda: bare.with_tool(new) if new else bare, {}, of_tool)
+    if new:
+        rest = [x for each in rest for x in beside_tool(spindle, new, each)]
     first = {"tool": new, "spindle": spindle}
     return [*(replace(of_tool[0], value=v, steps=(key,)) for key, v in first.items()), *rest]
 

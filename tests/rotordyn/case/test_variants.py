@@ -139,7 +139,9 @@ def test_conditions_of_a_variant_are_complete_with_those_of_the_case(tmp_path: P
     assert (flow.shaft, of_variant.shaft, of_variant.lubricant.temperature) == (30.0, 60.0, 60.0)
     assert of_variant.oil == flow.oil == 28.0
     file.write_text(text, encoding="utf-8")
-    with pytest.raises(InvalidInput, match=r"compare\.hot\.conditions\.heat_flow\.oil: missing key"):
+    with pytest.raises(
+        InvalidInput, match=r"compare\.hot\.conditions\.heat_flow\.oil: missing key"
+    ):
         rotordyn.load(file)
 
 
