@@ -3,7 +3,7 @@ preload class its force, a part of the spindle that of the tool in its nose."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -12,15 +12,20 @@ from rotordyn.case.case import Case
 from rotordyn.case.keys import COMMON, extra
 from rotordyn.case.node import Read
 from rotordyn.case.paths import Change, Steps, reached, taken, within_tool
-from rotordyn.field import shown
+from rotordyn.case.spelled import with_shared
+from rotordyn.field import declared, shown
 from rotordyn.machine.bearing_set import CLASSES, SetPreload
 from rotordyn.machine.flexible_rings import SIZES, RingBodies
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.seat import BearingSeat
+from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.tool import Tool
 from rotordyn.scene.conditions import HYPOTHESES, Conditions
 
 OF_CLASS = ("preload", "class")
+# What a file gives whole of a spindle, beside which a tool has its own.
+_WHOLE = (("masses",), ("joints",), ("shaft",), ("shaft", "start"), ("shaft", "sections"))
 OF_RING_AND_MAKER = [(key,) for key in ("name", "preloads", *SIZES)]  # stored beside the model
 
 
@@ -156,3 +161,45 @@ def also_of_tool(case: Case, change: Change) -> list[Change]:
     if steps[1:2] in [(item.name,) for item in items]:
         return [inside]
     return [change, inside] if items and steps[1] == "*" else [change]
+
+
+def beside_tool(spindle: Spindle, tool: Tool, change: Change) -> list[Change]:
+    """The change of a whole list, of the shaft or of all points of a ``spindle``, which in files
+    has no ``tool``, as those of the spindle with the tool in its nose."""
+    steps, value = change.steps[1:], change.value
+    if change.steps[0] == "spindle" and steps == ("points",) and isinstance(value, Mapping):
+        nose = spindle.shaft.start - tool.front(0.0)
+        return [replace(change, value={**tool.placed(nose), **value})]
+    if change.steps[0] != "spindle" or steps not in _WHOLE:
+        return [change]
+    holder = Shaft if len(steps) == 2 else Spindle
+    annotation = next(f.annotation for f in declared(holder) if f.keys == steps[-1:])
+    old = spindle.shaft if holder is Shaft else spindle
+    full = with_shared(old, replace(change, steps=steps[-1:]))
+    whole = taken(annotation, replace(full, steps=()))
+    if steps[0] == "shaft":
+        return _before_nose(spindle, tool, change, whole)
+    added = getattr(tool, steps[0])
+    return [change if _holds(whole, added) else replace(change, value=(*whole, *added))]
+
+
+def _before_nose(spindle: Spindle, tool: Tool, change: Change, whole: Any) -> list[Change]:
+    """The change to ``whole`` of the shaft, its start or its sections, behind those of the tool;
+    another start moves the points of the tool."""
+    sections, last = tool.sections, change.steps[-1]
+    if last != "start" and _holds(whole.sections if last == "shaft" else whole, sections):
+        return [change]
+    if last == "sections":
+        front = spindle.shaft.sections[: len(sections)]
+        return [replace(change, value=(*front, *whole))]
+    nose = whole.start if last == "shaft" else whole
+    new = whole.preceded_by(sections) if last == "shaft" else tool.front(nose)
+    points = tool.placed(nose).items()
+    moved = [replace(change, value=x, steps=("spindle", "points", name)) for name, x in points]
+    return [replace(change, value=new), *moved]
+
+
+def _holds(items: Iterable[Any], added: Iterable[Any]) -> bool:
+    """Whether items given as a whole include some of a tool, as those of a spindle in Python do."""
+    names = {item.name for item in added}
+    return any(item.name and item.name in names for item in items)

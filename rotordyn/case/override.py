@@ -27,7 +27,8 @@ def apply(
 def _put(value: Node, steps: list[str], target: Node, faults: Faults, opened: Open) -> None:
     step, rest = steps[0], steps[1:]
     target.shared = False
-    if (step in OF_RANGE and _is_list_of_values(target)) or (step == "*" and _is_range(target)):
+    values, item = step in OF_RANGE and _is_list_of_values(target), step == "*" or step.isdigit()
+    if values or (item and _is_range(target)):
         faults.at_key(value, of_range(_way(value, steps)))
     elif step == "*" and isinstance(target.value, dict | list):
         _put_everywhere(value, rest, target, faults, opened)

@@ -18,7 +18,13 @@ from rotordyn.case.forms import reading_of
 from rotordyn.case.library import find_case, sources_in
 from rotordyn.case.machines import named_once, read_spindle
 from rotordyn.case.node import Node
-from rotordyn.case.variants import from_the_top, of_machine, tools_compared, variant_trees
+from rotordyn.case.variants import (
+    from_the_top,
+    of_machine,
+    tools_compared,
+    variant_trees,
+    with_whole_conditions,
+)
 from rotordyn.description import Faults as Rules
 from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
@@ -27,6 +33,9 @@ from rotordyn.machine.tool import Tool
 MOST_VARIANTS = 200
 # Keys that identify other kinds of files.
 _OTHER_FILES = {
+    "goals": "optimum",
+    "vary": "study",
+    "unknowns": "identification",
     "shaft": "spindle",
     "ball_diameter": "bearing",
     "young_modulus": "material",
@@ -37,6 +46,14 @@ _NAMED_BY["material"] = (
     "sections and discs of a spindle or tool name it by material: PATH, bearings by ring_material "
     "and ball_material"
 )
+_NAMED_BY |= {
+    kind: f"it names a case, and is solved by rotordyn {command}"
+    for kind, command in (
+        ("optimum", "optimise"),
+        ("study", "sweep"),
+        ("identification", "identify"),
+    )
+}
 
 
 def load(path: str | Path) -> Case:
@@ -102,7 +119,8 @@ def _case(root: Node, name: str, reader: expand.Reader) -> Case | None:
     """Read the case in ``root``; valid only if ``reader.faults`` stays empty."""
     faults = reader.faults
     if (other := _other_file(root.value)) and not reader.faults.variant:
-        faults.at(root, f"this is a {other} file, not a case: {_NAMED_BY[other]}")
+        article = "an" if other[0] in "aeiou" else "a"
+        faults.at(root, f"this is {article} {other} file, not a case: {_NAMED_BY[other]}")
         return None
     all_known = "references" in root.entries("override")  # also those of the machine
     override = of_machine(root, reader)
@@ -123,7 +141,9 @@ def _case(root: Node, name: str, reader: expand.Reader) -> Case | None:
         bearing = None if expanded is None else reading.value(BallBearing, expanded)
         expand.ring_sizes(root, expanded)
         usable = usable or bearing is not None
-    values = reading.fields(Case, root, annotations={"spindle": Any, "bearing": Any})
+    values = reading.fields(
+        Case, with_whole_conditions(root), annotations={"spindle": Any, "bearing": Any}
+    )
     given = () if spindle is None or all_known else spindle.references
     values |= {"name": name, "spindle": spindle, "bearing": bearing, "tool": fitted}
     values["references"] = given + values["references"]
@@ -158,7 +178,7 @@ def _clamped(root: Node, override: dict[str, Node], reader: expand.Reader) -> No
 
 def _other_file(content: Mapping[str, object]) -> str:
     """Kind of file that a mapping belongs to, if it is not a case."""
-    if {"speeds", "analyses", "spindle", "bearing"} & {*content}:
+    if "case" not in content and {"speeds", "analyses", "spindle", "bearing"} & {*content}:
         return ""
     return next((kind for key, kind in _OTHER_FILES.items() if key in content), "")
 

@@ -82,12 +82,31 @@ def json_schema(file: str) -> Shape:
         raise InvalidInput(f"unknown kind of file: {shown(file)}; {allowed}")
     shapes: dict[str, Shape] = {}
     root = shapes[_defined(FILES[file], shapes)]
+    if variant := shapes.get(Variant.__name__):
+        conditions = variant["properties"]["conditions"]
+        variant["properties"]["conditions"] = _in_part(conditions, shapes)
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         **root,
         "title": f"rotordyn {file}",
         "$defs": {name: shapes[name] for name in sorted(shapes)},
     }
+
+
+def _in_part(shape: Shape, shapes: dict[str, Shape]) -> Shape:
+    """Schema of a mapping that is laid over another: no key is required, null takes a part out."""
+    whole = {**shapes.get(shape.get("$ref", "").rpartition("/")[2], {}), **shape}
+    if "properties" not in whole:
+        return shape
+    inner = {key: _in_part(each, shapes) for key, each in whole["properties"].items()}
+    parts = {
+        key: {"anyOf": [each, {"type": "null"}], "description": each["description"]}
+        for key, each in inner.items()
+        if "properties" in each
+    }
+    left_out = ("$ref", "required")
+    kept = {key: value for key, value in whole.items() if key not in left_out}
+    return {**kept, "properties": {**inner, **parts}}
 
 
 def title(kind: type) -> str:

@@ -46,7 +46,7 @@ def spelled(old: Any, change: Change) -> list[Change]:
         if steps[1:] or not isinstance(value, Mapping):
             return [change]
         return [replace(change, value=v, steps=(*way, str(k))) for k, v in value.items()]
-    change = _with_shared(old, change)
+    change = with_shared(old, change)
     keys: list[Field] = [*keys_of(kind)]
     beside = next((key for key in extra(kind) if key.keys == steps[:1]), None)
     if beside is not None and steps[:1] not in ways_of(kind):
@@ -67,7 +67,7 @@ def spelled(old: Any, change: Change) -> list[Change]:
     return [replace(change, value=v, steps=way) for way, v in whole.items()]
 
 
-def _with_shared(old: Any, change: Change) -> Change:
+def with_shared(old: Any, change: Change) -> Change:
     """A change that replaces items of a list, each with what the items share unless it gives its
     own, as in files."""
     given: Any = change.value

@@ -104,6 +104,21 @@ def variant_trees(root: Node) -> dict[str, Node]:
     return {name: _changed(root, changes) for name, changes in root.entries("compare").items()}
 
 
+def with_whole_conditions(root: Node) -> Node:
+    """The case in ``root`` with the conditions of each variant laid over its own, by which alone
+    they may be incomplete."""
+    compare, base = root.child("compare"), root.child("conditions")
+    if compare is None or base is None or not isinstance(compare.value, dict):
+        return root
+    variants = dict(compare.value)
+    for name, variant in variants.items():
+        if (more := variant.child("conditions")) is not None:
+            laid = {**variant.value, "conditions": overlaid(base, more)}
+            variants[name] = replace(variant, value=laid)
+    whole = replace(compare, value=variants)
+    return replace(root, value={**root.value, "compare": whole})
+
+
 def _changed(root: Node, changes: Node) -> Node:
     tree = root.copy()
     for key in ("compare", "title"):

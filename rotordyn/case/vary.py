@@ -15,6 +15,7 @@ from rotordyn.analyses.registry import analysis, names
 from rotordyn.case.case import ByName, Case
 from rotordyn.case.consequences import (
     also_of_tool,
+    beside_tool,
     following,
     with_class_force,
     with_model,
@@ -231,6 +232,8 @@ def _with_tool(case: Case, field: Field, changes: Sequence[Change]) -> Sequence[
     else:
         tool, spindle = case.tool, case.spindle
     if not of_tool:
+        if tool and spindle:
+            changes = [x for each in changes for x in beside_tool(spindle, tool, each)]
         return [*([replace(whole[0], value=None, steps=("tool",))] if whole else []), *changes]
     if spindle is None:
         raise of_tool[0].refused("a tool needs a spindle: this case has none")
@@ -240,6 +243,8 @@ def _with_tool(case: Case, field: Field, changes: Sequence[Change]) -> Sequence[
     with unchecked() if further else nullcontext():  # checked with what else changes
         bare = _made(lambda: spindle.without_tool(tool) if tool else spindle, of_tool)
         spindle = _made(lambda: bare.with_tool(new) if new else bare, of_tool)
+    if new:
+        rest = [x for each in rest for x in beside_tool(spindle, new, each)]
     first = {"tool": new, "spindle": spindle}
     return [*(replace(of_tool[0], value=v, steps=(key,)) for key, v in first.items()), *rest]
 

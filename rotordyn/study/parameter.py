@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, is_dataclass
 from typing import Any
 
@@ -11,7 +11,7 @@ import numpy as np
 
 from rotordyn.case.case import Case
 from rotordyn.case.keys import MODELS
-from rotordyn.case.paths import found_at, value_of
+from rotordyn.case.paths import found_at, from_top, value_of
 from rotordyn.case.study import MOST_POINTS
 from rotordyn.case.varied import usual_unit
 from rotordyn.case.vary import vary
@@ -282,7 +282,20 @@ def parameters(case: Case, asked: Any) -> Iterator[Parameter]:
     """
     if not isinstance(asked, Mapping) or not asked:
         raise InvalidInput("nothing is varied: map at least one dotted path to its values")
-    for path, values in asked.items():
+    for path in asked:
         if not isinstance(path, str):
             raise InvalidInput(f"not a dotted path: given {shown(path)}; such as 'speeds'")
+    for path, why in given_twice(case, asked):
+        raise InvalidInput(f"{path}: {why}")
+    for path, values in asked.items():
         yield parameter(case, path, values)
+
+
+def given_twice(case: Case, paths: Iterable[str]) -> Iterator[tuple[str, str]]:
+    """Yield paths that lead where another one of ``paths`` leads, each with a sentence."""
+    before = set()
+    for path in paths:
+        whole = from_top(path, case.bearing is None)
+        if whole in before:
+            yield path, f"given twice, with and without '{whole.partition('.')[0]}.' before it"
+        before.add(whole)

@@ -19,7 +19,7 @@ from rotordyn.case.study import ABSENT, BOUNDS, SPACINGS, OptimumFile, SpanEntry
 from rotordyn.description import quantity_of
 from rotordyn.errors import InvalidInput
 from rotordyn.field import shown
-from rotordyn.study.parameter import Span, kind_of_model, parameter
+from rotordyn.study.parameter import Span, given_twice, kind_of_model, parameter
 
 if TYPE_CHECKING:
     from rotordyn.study.optimum.problem import Problem
@@ -157,6 +157,8 @@ def _varied(reading: Reading, case: Case, node: Node) -> dict[str, object]:
     if not isinstance(node.value, dict) or not node.value:
         reading.faults.at(node, "nothing is varied: map at least one dotted path to values")
         return {}
+    for path, why in given_twice(case, node.value):
+        reading.faults.at_key(node.at(path), why)
     return {path: _asked(reading, case, path, child) for path, child in node.value.items()}
 
 

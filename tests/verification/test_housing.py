@@ -249,6 +249,19 @@ def test_a_stiff_housing_is_ground() -> None:
     assert housed.damping_ratio == pytest.approx(ground.damping_ratio, rel=1e-3, abs=1e-12)
 
 
+def test_a_housing_that_rolls_alone_leaves_the_rotor_at_rest() -> None:
+    """Bearings do not transmit its roll: frequency √(k/I), and a shape of zeros."""
+    stiffness = {("y", "y"): 8e7, ("z", "z"): 4e7, ("thx", "thx"): 8e5}
+    box = pedestal("box", ("front", "rear"), BODY.centre, stiffness=stiffness, polar_inertia=0.2)
+    rotor = replace(STEPPED, supports=two(), housings=(box,))
+    result = campbell.solve(scene(rotor, (0.0, 12000.0)), CampbellSpec(max_frequency=900.0))
+    twisting = np.flatnonzero(np.array(result.kind) == "torsion")
+    alone = np.sqrt(8e5 / 0.2) / (2.0 * np.pi)
+    near = np.abs(result.frequency[0, twisting] / alone - 1.0)
+    assert near.min() < 1e-9
+    assert not result.shape[:, twisting[near.argmin()]].any()
+
+
 def reduced(spindle: Spindle, *, modal: bool) -> ReducedHousing:
     """The rigid housing of ``one_housing`` as matrices, or as its undamped modes."""
     (box,) = spindle.housings

@@ -133,7 +133,7 @@ def _table(rows: list[Array], shape: tuple[int, int]) -> Array:
 
 def _shapes(scene: Scene, branches: list[Branch], ends: list[int]) -> Complex:
     """Return node displacements (ends, modes, nodes, 6), scaled so that the largest translation, in
-    torsion the largest twist, is 1 and real."""
+    torsion the largest twist, is 1 and real; zero in modes of a housing without the rotor."""
     shape = (len(ends), len(branches), len(scene.mesh.stations), 6)
     shapes = np.full(shape, complex(np.nan, np.nan))
     for end, row in enumerate(ends):
@@ -144,5 +144,5 @@ def _shapes(scene: Scene, branches: list[Branch], ends: list[int]) -> Complex:
                 pool = u[:, position("thx")] if branch.kind == "torsion" else u[:, :3]
                 size = np.abs(pool).ravel()  # on a circle y and z are equal but for rounding: y
                 largest = int((size >= (1.0 - TIE) * size.max()).argmax())
-                shapes[end, k] = u / pool.flat[largest]
+                shapes[end, k] = u / (pool.flat[largest] or 1.0)
     return shapes

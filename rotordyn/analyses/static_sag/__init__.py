@@ -13,5 +13,5 @@ ANALYSIS = in_folder(
     place=55,
     spec=StaticSagSpec,
     tables=LAYOUTS,
-    heading="sag and runout of the nose",
+    heading="sag and runout",
 )

@@ -102,7 +102,7 @@ class Optimum:
         asked = [*(g.words for g in self.problem.goals), *(x.words for x in self.problem.limits)]
         values = (*trial.goals, *trial.readings)
         return [
-            f"{words}: {count} of the numbers it reads {'is' if count == 1 else 'are'} absent."
+            f"{words}: {_absent(count)}."
             for words, count, value in zip(asked, trial.absent, values, strict=False)
             if count and not math.isnan(value)
         ]
@@ -132,10 +132,13 @@ class Optimum:
             unit = self.units[len(self.problem.goals) + k]
             if top.margins[k] < 0.0:
                 value = top.readings[k]
-                nearest = (
-                    f"nearest value is {value:.4g} {unit}" if value == value else "value is absent"
-                )
-                lines.append(f"{limit.words}: cannot be kept, the {nearest}.")
+                why = f"the nearest value is {value:.4g} {unit}"
+                if value != value:
+                    counts = top.absent[len(self.problem.goals) :]
+                    count = sum(counts[k : k + 1])
+                    why = _absent(count) if count else "the value is absent"
+                    why += " (absent: satisfies leaves such numbers out)"
+                lines.append(f"{limit.words}: cannot be kept, {why}.")
         absent = [
             goal.words
             for k, goal in enumerate(self.problem.goals)
@@ -172,6 +175,10 @@ class Optimum:
         columns["feasible"] = ("trial", [each.feasible for each in self.trials])
         columns["sentence"] = ("trial", np.array([each.sentence for each in self.trials], object))
         return xr.Dataset(columns)
+
+
+def _absent(count: int) -> str:
+    return f"{count} of the numbers it reads {'is' if count == 1 else 'are'} absent"
 
 
 def problem_of(

@@ -101,6 +101,11 @@ def test_the_spec_of_every_analysis_has_one_door() -> None:
         _ = analyses.NoSpec
 
 
+def test_the_heading_of_a_comparison_names_no_point_that_the_case_may_not_have() -> None:
+    """The point of a sag may be that of a tool."""
+    assert registry.analysis("static_sag").heading == "sag and runout"
+
+
 def test_an_unknown_analysis_is_named() -> None:
     with pytest.raises(InvalidInput, match=r"unknown analysis: campbel; .*did you mean campbell"):
         registry.analysis("campbel")

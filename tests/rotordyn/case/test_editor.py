@@ -151,6 +151,10 @@ def test_every_key_has_its_meaning_and_no_default_in_bare_si() -> None:
         ({"analyses": {"stiffness": {"point": "P", "second_stop": {"3": "1 um"}}}}, False),
         ({"analysis": {}}, False),
         ({"override": {"any.path": [1, "x"]}}, True),
+        ({"conditions": {"heat_flow": {"shaft": "60 degC"}}}, False),
+        ({"compare": {"hot": {"conditions": {"heat_flow": {"shaft": "60 degC"}}}}}, True),
+        ({"compare": {"hot": {"conditions": {"heat_flow": {"shaft": "60 mm"}}}}}, False),
+        ({"compare": {"cold": {"conditions": {"heat_flow": None, "films": None}}}}, True),
     ],
 )
 def test_single_changes(change: dict[str, Any], valid: bool) -> None:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import json
 import math
 import re
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 import yaml
@@ -289,6 +291,68 @@ def test_what_only_a_range_has_is_no_path(speeds: str, tmp_path: Path) -> None:
     with pytest.raises(InvalidInput, match=said) as found:
         rotordyn.load(file)
     assert len(found.value.faults) == 1
+
+
+def test_one_value_of_a_range_is_no_path(tmp_path: Path) -> None:
+    """A range has no items to replace; ``from`` and ``to`` of it are no path either."""
+    file, speeds = tmp_path / "case.yaml", "{from: 0 rpm, to: 900 rpm, step: 900 rpm}"
+    text = f"spindle: mfw2310\nspeeds: {speeds}\nanalyses: {{campbell: {{max_frequency: 1 kHz}}}}\n"
+    file.write_text(f"{text}override: {{speeds.1: 9000 rpm}}\n")
+    with pytest.raises(InvalidInput, match="'speeds' is a list of values: give it whole"):
+        rotordyn.load(file)
+
+
+TOOL = """\
+{sections: [{name: bit, length: 40 mm, outer_diameter: 12 mm, material: tool_steel},
+{name: holder, length: 30 mm, outer_diameter: 60 mm, material: tool_steel}], points: {tip: front},
+joints: [{name: taper, x: 0 mm, tilt: 1 MN m/rad}],
+masses: [{name: nut, x: -50 mm, mass: 0.1 kg}]}""".replace("\n", " ")
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"joints": []},
+        {"joints": [{"name": "coupling", "x": "100 mm", "tilt": "1 MN m/rad"}]},
+        {"masses": [{"name": "gear", "x": "100 mm", "mass": "1 kg"}]},
+        {"points": {"gauge": "20 mm"}},
+        {"shaft.start": "-1 mm"},
+        {"shaft.sections": [{"name": "whole", "length": "500 mm", "outer_diameter": "70 mm"}]},
+        {
+            "shaft": {
+                "start": "-2 mm",
+                "material": "tool_steel",
+                "sections": [{"name": "whole", "length": "500 mm", "outer_diameter": "70 mm"}],
+            },
+            "shaft.sections.whole.length": "600 mm",
+        },
+        {"tool": "hsk63_end_mill_16", "masses": [], "points": {"gauge": "20 mm"}},
+    ],
+)
+def test_what_is_given_whole_of_the_spindle_leaves_the_tool_in_its_nose(
+    change: dict[str, Any], tmp_path: Path
+) -> None:
+    file, stiffness = tmp_path / "case.yaml", "stiffness: {xx: 1 N/um, yy: 1 N/um, zz: 1 N/um}"
+    text = (
+        "spindle:\n"
+        "  shaft: {start: 0 mm, material: steel_rotor, sections: "
+        "[{name: body, length: 450 mm, outer_diameter: 60 mm}]}\n"
+        f"  supports: [{{name: a, x: 50 mm, {stiffness}}}, {{name: b, x: 400 mm, {stiffness}}}]\n"
+        f"  points: {{nose: 0 mm}}\ntool: {TOOL}\nspeeds: [0 rpm]\n"
+        "analyses: {campbell: {max_frequency: 1 kHz}}\n"
+    )
+    file.write_text(text)
+    varied = rotordyn.load(file).vary(change)
+    file.write_text(f"{text}override: {json.dumps(change)}\n")
+    assert varied == rotordyn.load(file)
+    assert "tip" in varied.spindle.points
+
+
+def test_a_list_in_python_may_contain_the_items_of_the_tool() -> None:
+    """As that of a spindle with a tool in its nose does."""
+    case = rotordyn.load("mfw2310_lobes")
+    assert case.vary({"shaft.sections": case.spindle.shaft.sections}).spindle == case.spindle
+    assert case.vary({"shaft": case.spindle.shaft}).spindle == case.spindle
 
 
 def test_nothing_for_the_tool_takes_it_out(tmp_path: Path) -> None:

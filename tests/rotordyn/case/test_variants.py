@@ -124,6 +124,33 @@ def test_conditions_of_a_variant_are_laid_over_those_of_the_case(tmp_path: Path)
     assert spindle.sleeves[0].spring == Spring(500.0)
 
 
+def test_conditions_of_a_variant_are_complete_with_those_of_the_case(tmp_path: Path) -> None:
+    """``oil`` and others must be given, by the case or by the variant."""
+    given = "inner_shaft: 3 W/K, outer_housing: 6 W/K, shaft: 30 degC, housing: 25 degC, lubricant:"
+    given += " {viscosity_40: 32 mm^2/s, viscosity_100: 5 mm^2/s, temperature: 50 degC}"
+    hot = "  hot: {conditions: {heat_flow: {shaft: 60 degC, lubricant: {temperature: 60 degC}}}}"
+    text, file = CASE.format(compare=hot), tmp_path / "compared.yaml"
+    whole = f"  kinematics: outer\n  heat_flow: {{oil: 28 degC, {given}}}\n"
+    file.write_text(text.replace("  kinematics: outer\n", whole), encoding="utf-8")
+    case = rotordyn.load(file)
+    flow, of_variant = case.conditions.heat_flow, case.variants["hot"].conditions.heat_flow
+    assert flow is not None
+    assert of_variant is not None
+    assert (flow.shaft, of_variant.shaft, of_variant.lubricant.temperature) == (30.0, 60.0, 60.0)
+    assert of_variant.oil == flow.oil == 28.0
+    file.write_text(text, encoding="utf-8")
+    with pytest.raises(
+        InvalidInput, match=r"compare\.hot\.conditions\.heat_flow\.oil: missing key"
+    ):
+        rotordyn.load(file)
+
+
+@pytest.mark.parametrize("variant", ["5", "[conditions]", "{conditions: 5}"])
+def test_a_variant_of_a_wrong_shape_is_a_fault(variant: str, tmp_path: Path) -> None:
+    with pytest.raises(InvalidInput, match="wrong shape"):
+        load(tmp_path, f"  odd: {variant}\n")
+
+
 def test_only_references_of_the_conditions_in_force_are_compared(tmp_path: Path) -> None:
     case = load(tmp_path, "  rigid: {conditions: {rotor: rigid}}\n  flexible: {}\n")
     rigid, flexible = case.variants.values()

@@ -12,6 +12,7 @@ import pytest
 from matplotlib import colormaps
 from matplotlib.collections import LineCollection
 
+from rotordyn.analyses.axial_cycle.figures.loops import cycle_figure
 from rotordyn.analyses.bearing.figures.tangents import tangents_figure
 from rotordyn.analyses.campbell.figures.diagram import campbell_figure
 from rotordyn.analyses.campbell.figures.shapes import plane_curve, shapes_figure
@@ -259,6 +260,23 @@ def test_a_shape_is_smooth_between_its_nodes():
     np.testing.assert_allclose(y, np.sin(wave * (x / 1e3 - node[0])), atol=0.012)
     slope = np.diff(y) / np.diff(x)
     assert np.abs(np.diff(slope)).max() < 0.1 * np.ptp(slope)
+
+
+def test_bearings_of_a_cycle_differ_by_marks():
+    """Dashes are those of the branch, and colour alone is not enough."""
+    names, force = ("a", "b", "c"), np.linspace(-1e3, 1e3, 21)
+    bodies = SimpleNamespace(
+        speed=np.zeros(1),
+        branch=("falling", "rising"),
+        force=force,
+        bearing=names,
+        position=np.broadcast_to(1e-9 * force[:, None], (1, 2, 21, 1)),
+        axial_load=np.stack([force * k for k in (1.0, 2.0, 3.0)], axis=-1)[None, None].repeat(2, 1),
+    )
+    lines = cycle_figure(bodies).axes[1].get_lines()
+    marks = {line.get_label(): line.get_marker() for line in lines if line.get_label() in names}
+    assert list(marks) == list(names)
+    assert len({*marks.values()}) == len(names)
 
 
 def test_discs_are_part_of_the_outline_of_shapes():

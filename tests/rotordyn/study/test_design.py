@@ -36,6 +36,20 @@ def test_a_grid_has_every_combination_the_last_path_fastest(flagship: Case) -> N
     assert grid.labels(0) == {PRELOAD: 300.0, TRAVEL: 40e-6}
 
 
+def test_a_path_is_varied_once_with_or_without_the_machine_before_it(
+    flagship: Case, tmp_path: Path
+) -> None:
+    """Before anything is solved."""
+    said = "given twice, with and without 'spindle.' before it"
+    short = PRELOAD.removeprefix("spindle.")
+    with pytest.raises(InvalidInput, match=f"^{short}: {said}"):
+        design(flagship, {PRELOAD: ["300 N", "400 N"], short: ["500 N"]})
+    file = tmp_path / "twice.yaml"
+    file.write_text(f"case: mfw2310\nvary:\n  {PRELOAD}: [300 N, 400 N]\n  {short}: [500 N]\n")
+    with pytest.raises(InvalidInput, match=f"twice.yaml:4:3: vary.{short}: {said}"):
+        read_study(file)
+
+
 @pytest.mark.parametrize(("log", "numpy"), [(False, np.linspace), (True, np.geomspace)])
 def test_a_span_is_what_numpy_spreads(flagship: Case, *, log: bool, numpy: Any) -> None:
     """To half a unit of the 15th digit, and what numpy rounds itself."""

@@ -702,6 +702,16 @@ def test_one_absent_number_of_several_breaks_a_limit(case: Case) -> None:
     assert line == f"{limit.words}: 1 of the numbers it reads is absent."
 
 
+def test_a_limit_that_absent_numbers_break_says_how_many_and_what_leaves_them_out(
+    case: Case,
+) -> None:
+    """Such as a least life where one of the speeds is 0, at which there is none."""
+    problem = Problem(case, (), (Goal(lowest="x"),), (Limit("life: set L10r", at_least="9 h"),))
+    trial = Trial((), (1.0,), (-1.0,), (math.nan,), ("N", "h"), (0, 1))
+    words = " ".join(Optimum(problem, trial, (trial,), None).verdict)
+    assert "cannot be kept, 1 of the numbers it reads is absent (absent: satisfies leaves" in words
+
+
 def test_trials_without_solution_are_counted_with_their_reasons(case: Case) -> None:
     problem = Problem(case, (), (Goal(lowest="preload: sum"),))
     trials = (Trial((), (1.0,), units=("N",)), *[Trial((), sentence="no state")] * 2)

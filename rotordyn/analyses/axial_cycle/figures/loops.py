@@ -16,6 +16,7 @@ from rotordyn.figures.style import (
     grid_boxes,
     line_of,
     mark_few_points,
+    marked,
     new_figure,
     speed_ticks,
 )
@@ -48,7 +49,8 @@ def cycle_figure(result: AxialCycleResult, speeds: int = 3) -> Figure:
             for bearing, column in merged(result.bearing, result.axial_load[index, k]):
                 load = result.axial_load[index, k, :, column]
                 name_once = bearing if k == 0 else None
-                lower.plot(shift[k], load, label=name_once, **line_of(column, k))
+                look = line_of(column, k) | marked(column)
+                lower.plot(shift[k], load, label=name_once, **look)
         rpm = result.speed[index] * RPM.factor
         upper.set_title(f"{rpm:.0f} rpm", fontsize=FONT_SIZE, pad=4.0)
         if first:
