@@ -13,6 +13,7 @@ from bearings.bearing import BallBearing
 from rotordyn.machine.bearing_set import OPPOSITE
 from rotordyn.machine.housing import Rows
 from rotordyn.machine.implausible_bodies import UNLIKE, implausible_bodies
+from rotordyn.machine.implausible_stress import implausible_stress
 from rotordyn.machine.joint import WAYS
 from rotordyn.machine.matrix import Entries, acts, entry_name
 from rotordyn.machine.seat import BearingSeat
@@ -40,6 +41,7 @@ def implausible(spindle: Spindle, top: float) -> Iterator[str]:
     """Yield sentences about a machine whose spindle turns at up to ``top`` [rad/s]."""
     yield from _lengths(spindle)
     yield from implausible_bodies(spindle)
+    yield from implausible_stress(spindle)
     yield from _tip(spindle)
     yield from _bores(spindle)
     yield from _overlapping(spindle)

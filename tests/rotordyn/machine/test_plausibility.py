@@ -13,8 +13,9 @@ from bearings.materials import Material
 from rotordyn.case.model import model
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.machine.bearing_set import OPPOSITE, patterns
+from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.flexible_rings import RingBodies
-from rotordyn.machine.growth import RingGrowth
+from rotordyn.machine.growth import InterferenceFit, RingGrowth
 from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.plausibility import LOOSE, implausible, undamped, unopposed
 from rotordyn.machine.shaft import Section, Shaft
@@ -130,6 +131,27 @@ def test_damping_ratios_of_shafts_are_small() -> None:
     machine = mfw2310()
     assert "damping ratio of 50 % is far above" in _said(replace(machine, rotor_damping=(0.5,)))
     assert "damping ratio" not in _said(replace(machine, rotor_damping=(0.05, 0.1)))
+
+
+@pytest.mark.parametrize(("interference", "said"), [(20e-6, False), (100e-6, True)])
+def test_a_fit_given_in_tens_of_micrometres(interference: float, said: bool) -> None:
+    machine = mfw2310()
+    fit = InterferenceFit(0.05, interference)
+    growth = RingGrowth(centrifugal="computed", fit=fit)
+    seats = tuple(replace(seat, growth=growth) for seat in machine.seats[:2])
+    found = _said(replace(machine, seats=(*seats, *machine.seats[2:])))
+    names = ", ".join(seat.name for seat in seats)
+    sentence = f"bearings {names}: growth.fit.interference of 100 µm on the radius of a bore of 50"
+    assert (sentence in found) == said
+
+
+@pytest.mark.parametrize(("force", "said"), [(30e3, False), (2e6, True)])
+def test_a_drawbar_that_would_crush_its_shaft(force: float, said: bool) -> None:
+    sections = Section(0.1, 0.06, 0.03, STEEL), Section(0.1, 0.04, 0.03, STEEL)
+    spindle = Spindle("s", Shaft(0.0, sections), drawbar=Drawbar(force, 0.05, 0.18))
+    stress = force / (np.pi / 4 * (0.04**2 - 0.03**2))
+    sentence = f"presses the section at 140 mm, of 549.8 mm², by {stress * 1e-6:.0f} MPa"
+    assert (sentence in _said(spindle)) == said
 
 
 def test_discs_that_float_or_count_mass_twice() -> None:
