@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from itertools import pairwise
 
-from rotordyn.machine.cross_section import area
 from rotordyn.machine.spindle import Spindle
 
 TIGHT = 5e-4  # of the bore, radial; rings of spindles have up to some 1e-4
@@ -38,10 +38,9 @@ def _drawbar(spindle: Spindle) -> Iterator[str]:
     if bar is None:
         return
     edges = [x for x in shaft.boundaries if bar.start < x < bar.end]
-    ends = [bar.start, *edges, bar.end]
-    thin, x = min(
-        (area(*shaft.diameters_at(x)), x) for x in ((a + b) / 2.0 for a, b in pairwise(ends))
-    )
+    inside = [(a + b) / 2.0 for a, b in pairwise([bar.start, *edges, bar.end])]
+    diameters = [(*shaft.diameters_at(x), x) for x in inside]
+    thin, x = min((math.pi / 4.0 * (outer**2 - inner**2), x) for outer, inner, x in diameters)
     if bar.force > PULLED * thin:
         yield (
             f"drawbar: its force of {bar.force * 1e-3:.4g} kN presses the section at "
