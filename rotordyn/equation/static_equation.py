@@ -210,13 +210,10 @@ class StaticEquation:
         for (node, name), dof in self.shaft.jump.items() if self.basis is None else ():
             element = self.mesh.node_of(float(self.shaft.mesh.x[node]))
             jump[:, element, position(name)] = self.structure.dofs.sign[dof] * u[:, dof]
-        bar = self.structure.spindle.drawbar
-        stations = pairwise(bar.contacts) if bar and self.bars else ()
-        for ends, at in zip(
-            stations, self.of_link[len(self.links) - len(self.bars) :], strict=True
-        ):
-            inside = slice(*map(self.mesh.node_of, ends))
-            bar_force[:, inside] = -r[:, None, at]
+        if self.bars and (bar := self.structure.spindle.drawbar):
+            of_bar = self.of_link[-len(self.bars) :]
+            for ends, at in zip(pairwise(bar.contacts), of_bar, strict=True):
+                bar_force[:, slice(*map(self.mesh.node_of, ends))] = -r[:, None, at]
         connections = len(self.structure.connections)
         moved = u @ self.motions[: 6 * connections].T
         return AtRest(

@@ -20,7 +20,7 @@ from rotordyn.results.balls import (
 from rotordyn.results.described import Described
 from rotordyn.results.display import DEGREE, RPM, number, percent
 from rotordyn.results.headline import Number, each_speed
-from rotordyn.results.severity import Severity, graded, severity_of
+from rotordyn.results.severity import Severity, graded, of_severity, severity_of
 from rotordyn.results.text import from_to, unbroken, which_of
 
 LONG = 1e6  # h, beyond which no life is printed
@@ -230,6 +230,7 @@ def _of_bearing(result: LifeResult, k: int) -> Iterator[str]:
         )
 
 
+@of_severity(Severity.LOAD)
 def _overloaded(result: LifeResult, k: int) -> Iterator[str]:
     if low := unsafe(result.static_safety[:, k], result.speed):
         yield low

@@ -19,6 +19,7 @@ from rotordyn.case.vary import vary
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.together import dynamic_preload
+from rotordyn.results.severity import Severity, severity_of
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.lubrication import SUPPLIES
@@ -229,7 +230,8 @@ def test_a_spectrum_that_unloads_a_bearing_says_so() -> None:
     pulled = LoadStep(share=0.4, speed=6000 * RPM, axial_force=-3000.0)
     found = of_grinding(LifeSpec(spectrum=(pulled, LoadStep(share=0.6, speed=6000 * RPM))))
     np.testing.assert_allclose(found.spectrum_unloaded, [0.4, 0.4, 0.0, 0.0])
-    assert any("leaves it without load for 40 % of the time" in w for w in warnings(found))
+    (said,) = (w for w in warnings(found) if "leaves it without load for 40 % of the time" in w)
+    assert severity_of(said) == Severity.LOAD
     still = of_grinding(LifeSpec(spectrum=(LoadStep(share=1.0, speed=6000 * RPM),)))
     assert not still.spectrum_unloaded.any()
 
